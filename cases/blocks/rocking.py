@@ -182,9 +182,8 @@ def _before_impact(block: Leaning, exact: _Exact) -> tuple[Quantity, ...]:
         return float(np.abs(100.0 * (lean[there] / due[there] - 1.0)).max())
 
     return tuple(
-        Scalar(f"E_N after {after:g} s", "E_N", "largest E_N [%] after {after:g} s; the paper "
-               "states below {limit:g} %", f"largest E_N [%] after {after:g} s; the "
-               f"paper: below {limit:g} %", functools.partial(largest, after), None, 1.0,
+        Scalar(f"E_N after {after:g} s", "E_N", "", f"largest E_N [%] after {after:g} s; the paper "
+               f"states below {limit:g} %", functools.partial(largest, after), None, 1.0,
                Shown(NEARLY))
         for after, limit in ((0.3, 10.0), (0.5, 1.0))
     )  # fmt: skip

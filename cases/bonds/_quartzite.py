@@ -22,8 +22,8 @@ BRITTLE = (
 def slower(p: Parameters) -> float:
     """The factor by which bonds oscillate more slowly than at the defaults, a power of 2.
 
-    Steps follow it: as long as by default they would be unstable on stiffer bonds, and as short
-    only add up rounding on softer ones, as a place is known to 1e-16 of it and the strain is 1e-6.
+    Steps are scaled by it. On stiffer bonds the default steps would be unstable; on softer ones
+    they would only add rounding errors, since positions are known to 1e-16 and the strain is 1e-6.
     """
     ratio = math.sqrt(p["m"] / M.value * KN.value / p["kn"])
     return float(2.0 ** math.floor(math.log2(ratio)))

@@ -16,12 +16,12 @@ from vv.case import Parameters
 from vv.scene import Bonds, Contact, Scene, Spheres
 
 APART = 2.0  # widths between the centres of the blocks, which never meet
-AWAY = 1e3  # heights to the far ends of the springs to platens that yield, which stay upright
+AWAY = 1e3  # heights of the block to the far ends of the springs, so that these stay upright
 
 
 @functools.lru_cache(maxsize=4)
 def block_of(size: int, d: float) -> Lattice:
-    """The block of that many elements."""
+    """The block of `size` elements."""
     return lattice(*SIZES[size], d)
 
 

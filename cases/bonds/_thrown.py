@@ -1,4 +1,4 @@
-"""The unit of four bonded elements thrown off its rest: it breathes, or turns as a whole."""
+"""The unit of four bonded elements disturbed at rest: it breathes, or rotates as a whole."""
 
 from __future__ import annotations
 
@@ -24,25 +24,25 @@ from vv.scene import Vector
 
 AXES = np.eye(3)
 SWING = History(duration=2e-6, interval=2e-8)
-THROWN = 1e-8  # s: the coarsest step of what swings
+THROWN = 1e-8  # s: the coarsest step for oscillations
 STRETCHED = "at this angle the rotation stretches the unit, which is a nonlinear effect"
-LINEAR = 1e-5  # strain: beyond it the square of the angle shows in the swing
+LINEAR = 1e-5  # strain beyond which the square of the angle shows in the oscillation
 
 
 def breathing(p: Parameters) -> Trial:
-    """All bonds swing as one; none turns."""
+    """All bonds oscillate in phase; none rotates."""
     return _swinging(p, OUT, p["kn"])
 
 
 def turned(p: Parameters) -> Trial:
-    """It rotates as a whole, which shear springs of elements that cannot rotate resist."""
+    """The unit rotates as a whole, which shear springs of elements that cannot rotate resist."""
     if abs(p["strain"]) > LINEAR:
         return _turned_far(p)
     return _swinging(p, ROUND, p["gamma"] * p["kn"])
 
 
 def _swinging(p: Parameters, shape: Vector, stiffness: float) -> Trial:
-    """Thrown in a shape (4, 3) in which it swings at 2 sqrt(stiffness/m), strain its size."""
+    """The start of a mode of the shape (4, 3) at 2 sqrt(stiffness/m); strain is its amplitude."""
     w = 2 * np.sqrt(stiffness / p["m"])
     scene = unit(p, 0.0, velocity=p["d"] * p["strain"] * w * shape)
     sizes = p["d"] * p["strain"] * shape
@@ -54,7 +54,7 @@ def _swinging(p: Parameters, shape: Vector, stiffness: float) -> Trial:
 
 
 def _turned_far(p: Parameters) -> Trial:
-    """Thrown as for a small angle, by an angle at which the turn stretches it too."""
+    """The same start by an angle so large that the rotation stretches the unit too."""
     ks = p["gamma"] * p["kn"]
     w = 2 * np.sqrt(ks / p["m"])
     velocity = p["d"] * p["strain"] * w * ROUND
@@ -66,7 +66,7 @@ def _turned_far(p: Parameters) -> Trial:
             f"u{body}{'xyz'[axis]}", f"u_{body}{'xyz'[axis]}", "m",
             f"displacement of element {body} along {'xyz'[axis]}",
             ComponentAlong(SEEN[body], AXES[axis]),
-            functools.partial(_of_path, path, body, axis), _far(w), size,
+            functools.partial(_of_path, path, body, axis), _far_bounds(w), size,
         )
         for body in range(4)
         for axis in range(3)
@@ -88,7 +88,7 @@ def _part(w: float, sizes: Vector, body: int, axis: int) -> Series:
         f"displacement of element {body} along {'xyz'[axis]}",
         ComponentAlong(SEEN[body], AXES[axis]),
         lambda t: sizes[body, axis] * np.sin(w * t),
-        _swung(w),
+        _bounds(w),
     )
 
 
@@ -97,8 +97,8 @@ def levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
     return {Level.QUICK: rungs[:3:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
 
 
-def _swung(w: float) -> Exact:
-    """w: rate of the swing [1/s], over the time of SWING."""
+def _bounds(w: float) -> Exact:
+    """w: frequency of the oscillation [1/s], which lasts for SWING."""
     angle, whole = w * THROWN, w * SWING.duration
     return Exact(
         {
@@ -110,7 +110,7 @@ def _swung(w: float) -> Exact:
             ),
             Method.SECOND_ORDER: Tolerance(
                 float(min(angle**2 / 24 * max(whole, 1.0) * 1.7, LARGEST_TOLERANCE)),
-                "the phase (w dt)^2/24 w t of a leapfrog, and some (w dt)^2 of its start",
+                "the phase error (w dt)^2/24 w t of a leapfrog, and some (w dt)^2 by its start",
                 dt=THROWN, order=2,
             ),
             Method.FIRST_ORDER: Tolerance(
@@ -119,16 +119,16 @@ def _swung(w: float) -> Exact:
             ),
         },
         not_judged={
-            Method.PENALTY: "contacts that stand in for bonds would part at such amplitudes"
+            Method.PENALTY: "contacts that represent bonds would open at such amplitudes"
         },
     )  # fmt: skip
 
 
-def _far(w: float) -> Exact:
-    """The same by the path at an angle at which the unit stretches as it turns."""
-    swung = _swung(w)
+def _far_bounds(w: float) -> Exact:
+    """The bounds at an angle at which the unit stretches as it rotates."""
+    swung = _bounds(w)
     kept = {m: swung.tolerances[m] for m in (Method.SECOND_ORDER, Method.FIRST_ORDER)}
-    path = Tolerance(1e-9, "the path itself is solved to 1e-12 a step")
+    path = Tolerance(1e-9, "the reference path is integrated to 1e-12 a step")
     return Exact(
         {**kept, Method.EXACT: path}, not_judged={**swung.not_judged, Method.LINEARISED: STRETCHED}
     )

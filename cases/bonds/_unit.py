@@ -15,7 +15,7 @@ CORNERS = np.array(
         [-0.5 / np.sqrt(3), 0.5, 0.0],
         [-0.5 / np.sqrt(3), -0.5, 0.0],
     ]
-)  # of the top and of the base, in diameters
+)  # positions of the top and of the base, in diameters
 OUT = CORNERS - CORNERS.mean(axis=0)
 ROUND = np.cross([0.0, 0.0, 1.0], OUT)
 EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]])
@@ -34,7 +34,7 @@ def unit(p: Parameters, eta: float, **motion: Vector) -> Scene:
 
 
 def as_it_is(name: str, fz: float, d: float, u: Vector) -> float:
-    """A quantity under Fz [N] by the bonds as they are after displacements u (4, 3) [m]."""
+    """A quantity under Fz [N], by the deformed bonds after displacements u (4, 3) [m]."""
     offset, moved = moved_ends(d, u)
     length = np.linalg.norm(offset + moved, axis=1)
     stretch = np.einsum("bk,bk->b", 2 * offset + moved, moved) / (length + 1)
@@ -48,7 +48,7 @@ def seen_at(run: Run, output: int) -> Vector:
 
 
 def moved_ends(d: float, u: Vector) -> tuple[Vector, Vector]:
-    """For each bond its offset and what it moved, over d."""
+    """For each bond the offset of its ends and their relative displacement, over d."""
     i, j = EDGES.T
     return CORNERS[j] - CORNERS[i], (u[j] - u[i]) / d
 

@@ -60,7 +60,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     quantities: list[Quantity] = [_balance(CLOSED[way]), *_histories()]
     answer = static(block, kn, ks)
     opening = first_opening(block, answer, p["xb"]) / answer.E
-    quantities.append(_held(p, block, answer.E, HALF * opening))
+    quantities.append(_elastic_energy(p, block, answer.E, HALF * opening))
     if way == "pulled":
         printed = lattice_material.tensile_strength(kn, ks, p["xb"], d)
         strain = 1.1 * opening * answer.E / E
@@ -97,7 +97,7 @@ def _balance(closed: Tolerance) -> Scalar:
 
 
 def gap(run: Run) -> Vector:
-    """All energy and heat since t = 0 less the work of the platens (k,) [J]."""
+    """All energy and heat since t = 0 minus the work of the platens (k,) [J]."""
     kept = energy(KEPT, run)
     return np.asarray(kept - kept[0] - work(run))
 
@@ -118,7 +118,7 @@ def _viscous(run: Run) -> float:
 
 
 def _sliding() -> Iterator[Scalar]:
-    """What the paper tells of the failure of its block of 2166 that is pressed."""
+    """Quantities that the paper reports of the failure of its compressed block of 2166 elements."""
     yield Scalar("kinetic share", "max E_k/W", "", "largest kinetic energy over the work done "
                  "until then", _share, None, 1.0, Shown(OTHER_RATE))  # fmt: skip
     yield Scalar(
@@ -128,7 +128,7 @@ def _sliding() -> Iterator[Scalar]:
     )  # fmt: skip
 
 
-def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
+def _elastic_energy(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
     """The elastic energy of a block before any bond breaks, E eps^2/2 per unit of volume."""
     exact = E * strain**2 / 2 * block.area * block.height
 
@@ -182,13 +182,15 @@ def _strength(p: Parameters, block: Lattice, name: str, printed: float, beside: 
         stress = power / (abs(p["rate"]) * block.area * block.height)
         return float(stress.max()) / printed - 1.0
 
-    return Scalar(name, name, "", f"{name}, less 1; {beside}", observe, None, 1.0, Shown(AS_SEEN))
+    return Scalar(name, name, "", f"{name}, minus 1; {beside}", observe, None, 1.0, Shown(AS_SEEN))
 
 
 UNKNOWN = "no exact answer is known through failure; the balance of all forms is judged instead"
 OPEN = "its largest value is judged as `balance`; this shows at which time it occurs"
 OTHER_RATE = "the paper loads in steps, 25 times more slowly on average"
-AS_SEEN = "viscosity adds to it at this rate; close-packed-strength has it at zero rate"
+AS_SEEN = (
+    "viscosity adds to the strength at this rate; close-packed-strength extrapolates to zero rate"
+)
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 BOOKED = (
     "the energy of breaking bonds, drag and friction are recorded as the scheme computes them; "
@@ -210,8 +212,8 @@ LINEAR: Mapping[str, Judge] = {
 }
 STRONG = dict.fromkeys(
     ("xb", "fs0", "mu_p", "m"),
-    "before a bond breaks the energy knows neither strength nor mass, and through failure only the "
-    "balance is known; strengths are judged by close-packed-strength",
+    "before a bond breaks the energy depends neither on strength nor on mass, and through failure "
+    "only the balance is known; close-packed-strength judges strengths",
 )
 RUNGS = tuple(Knobs(dt=8e-8 / 2**i) for i in range(4))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
@@ -222,9 +224,9 @@ CASE = Case(
     title="Energy of close-packed blocks through failure",
     source=Source(
         *LIU_2017,
-        "Section 5.3 and Fig. 6. Energies are those that the scheme itself keeps; breaking heat "
-        "is booked as a bond parts. The paper moves the platens in steps; here they are carried "
-        "steadily, which takes 25 times less time to failure. Eq. 28 gives the viscosity.",
+        "Section 5.3 and Fig. 6. The scheme itself records all energies, and the breaking heat "
+        "when a bond breaks. The paper moves the platens in steps; here they move steadily, and "
+        "failure comes 25 times sooner. Eq. 28 gives the viscosity.",
     ),
     parameters=(*BRITTLE, Parameter("rate", 0.6, "1/s", "strain rate, tension positive")),
     variants=(

@@ -1,4 +1,4 @@
-"""Stress and strain of close-packed blocks pressed until level bonds open and inclined slide."""
+"""Stress and strain of close-packed blocks compressed until bonds open and others slide."""
 
 from __future__ import annotations
 
@@ -40,7 +40,9 @@ OUTPUTS = 2000
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if not p["rate"] < 0:
-        raise ValueError(f"rate = {p['rate']!r} 1/s; a block that is pressed has a negative one")
+        raise ValueError(
+            f"rate = {p['rate']!r} 1/s; it must be negative, since the block is compressed"
+        )
     block = block_of(int(variant.partition("-")[0]), p["d"])
     duration = BEYOND * _strain_at_sliding(p) / abs(p["rate"])
     counted = variant.endswith("counted")
@@ -51,12 +53,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
     study = Ladder(specimen(p, block, (1.0,)), goal, watched, LEVELS, energies=energies)
     histories = functools.cache(functools.partial(_histories, p, block))
     if counted:
-        return Trial(study, _counted(p, block, histories))
+        return Trial(study, _counts(p, block, histories))
     return Trial(study, _stresses(_Pressed(p, block, histories, tops)))
 
 
 def _histories(p: Parameters, block: Lattice) -> tuple[lattice_failure.History, ...]:
-    """What no balance decides: which of bonds that bear nearly as much open at once."""
+    """Slow histories for each of TIES: no balance decides which of nearly equal bonds opens."""
     return tuple(
         lattice_failure.pressed(block, p["kn"], p["ks"], p["xb"], together) for together in TIES
     )
@@ -71,10 +73,10 @@ def _element(p: Parameters) -> Element:
     return Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
 
 
-def _counted(
+def _counts(
     p: Parameters, block: Lattice, histories: Callable[[], tuple[lattice_failure.History, ...]]
 ) -> tuple[Quantity, ...]:
-    """How many bonds are open, by the heat of their normal springs, kn xb^2/2 each."""
+    """The number of open bonds, from the heat of their normal springs, kn xb^2/2 each."""
     level = int((np.ptp(block.position[block.bonds][:, :, 2], axis=1) < 0.1 * p["d"]).sum())
 
     def opened(run: Run) -> Vector:
@@ -89,7 +91,7 @@ def _counted(
         return float(way.strain[int(np.argmax(way.opened >= level / 2))])
 
     def outside(run: Run) -> float:
-        """How far that is off the slow histories, of which the nearest counts."""
+        """The difference of that strain from the nearest slow history."""
         return min((half(run) - half_due(way) for way in histories()), key=abs)
 
     return (
@@ -100,25 +102,26 @@ def _counted(
                STRETCHED),
         Scalar("half opened", "e_half", "", "strain at which half of all level bonds are open",
                half, half_due, half_due, Shown(TIED)),
-        Scalar("half beyond", "d e_half", "", "how far that is off the nearest slow history",
-               outside, 0.0, half_due, _steps(p, block)),
+        Scalar("half beyond", "d e_half", "", "difference of that strain from the nearest slow "
+               "history",
+               outside, 0.0, half_due, _landmark_bounds(p, block)),
     )  # fmt: skip
 
 
 def _before_the_fall(stress: Vector) -> float:
-    """The stress from which it falls most."""
+    """The stress at the start of its largest fall."""
     highest = np.maximum.accumulate(stress)
     return float(highest[int(np.argmax(highest - stress))])
 
 
 def _before(run: Run) -> int:
-    """The output at three quarters of the way."""
+    """The output after three quarters of the duration."""
     return 3 * len(run.times) // 4
 
 
 @dataclasses.dataclass(frozen=True)
 class _Pressed:
-    """A block that is pressed: its pressure over the strain, seen and of slow histories.
+    """A compressed block: its pressure over the strain, observed and of slow histories.
 
     tops: the reactions whose sum is the force on it.
     """
@@ -139,7 +142,7 @@ class _Pressed:
         return np.asarray(np.abs(sum(forces)) / self.block.area)
 
     def first(self, run: Run) -> float:
-        """The pressure where it is seen to fall behind the straight line it began with."""
+        """The pressure at which the observed curve leaves the straight line that it starts with."""
         stress, strain = self.seen(run), self.strains(run)
         opens = self.history().strain[0]
         straight = (strain > 0.2 * opens) & (strain < 0.8 * opens)
@@ -159,18 +162,18 @@ class _Pressed:
         return _before_the_fall(way.stress(np.linspace(0.0, way.strain[-1], FINE)))
 
     def outside(self, run: Run) -> float:
-        """How far A1 is off the slow histories, of which the nearest counts."""
+        """The difference of A1 from the nearest slow history."""
         return min((self.top(run) - self.largest(way) for way in self.histories()), key=abs)
 
     def off(self, run: Run) -> float:
-        """The mean distance from what slow histories have, up to the last opening."""
+        """The mean distance of the pressure from the slow histories, up to the last opening."""
         there = self.strains(run) < self.history().strain[-1]
         ways = np.array([way.stress(self.strains(run)[there]) for way in self.histories()])
         seen = self.seen(run)[there]
         return float(np.abs(seen - np.clip(seen, ways.min(axis=0), ways.max(axis=0))).mean())
 
     def window(self) -> tuple[float, float]:
-        """Strains from the last opening on, over as much again if all holds that long."""
+        """The range of strains from the last opening to twice that, if no bond slides before."""
         last = float(self.history().strain[-1])
         low, high = 1.1 * last, min(2.0 * last, HOLDS * _strain_at_sliding(self.p))
         if not low < 0.9 * high:
@@ -184,7 +187,7 @@ class _Pressed:
         return float(np.polyfit(strains[there], self.seen(run)[there], 1)[0])
 
     def softer(self) -> float:
-        """What that slope should be."""
+        """The exact slope with all level bonds open."""
         p = self.p
         return lattice_strength.opened_slope(self.block, _element(p), p["d"], self.window())
 
@@ -198,15 +201,17 @@ def _stresses(pressed: _Pressed) -> tuple[Quantity, ...]:
         Series("sigma", "sigma", "Pa", "pressure on the hull's area", one.seen, None,
                Shown(BEYOND_A2)),
         Scalar("history", "mean|e|", "Pa", "mean distance from the pressure of the slow network",
-               one.off, 0.0, one.largest, _near(p, block)),
+               one.off, 0.0, one.largest, _history_bounds(p, block)),
         Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", one.first,
-               one.lowest, one.lowest, _steps(p, block)),
-        Scalar("A1", "sigma(A1)", "Pa", "pressure that falls most as level bonds open", one.top,
+               one.lowest, one.lowest, _landmark_bounds(p, block)),
+        Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall, as level bonds "
+               "open", one.top,
                one.largest, one.largest, Shown(TIED)),
-        Scalar("A1 beyond", "d sigma(A1)", "Pa", "how far A1 is off the nearest slow history",
-               one.outside, 0.0, one.largest, _steps(p, block)),
-        Scalar("E after", "E'", "Pa", "slope with all level bonds open", one.after, one.softer,
-               one.softer, _open(p)),
+        Scalar("A1 beyond", "d sigma(A1)", "Pa", "difference of A1 from the nearest slow history",
+               one.outside, 0.0, one.largest, _landmark_bounds(p, block)),
+        Scalar("E after", "E'", "Pa", "slope of the pressure with all level bonds "
+               "open", one.after, one.softer,
+               one.softer, _slope_bounds(p)),
         Scalar("A1 over Eq. 8", "A1/C_open - 1", "", "A1 over C_open of Eq. 8, less 1",
                lambda run: one.top(run) / printed - 1.0, None, 1.0, Shown(FACES)),
         Scalar("A3 over Eq. 8", "A3/C_open - 1", "", "A3 over C_open of Eq. 8, less 1",
@@ -217,86 +222,96 @@ def _stresses(pressed: _Pressed) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-FINE = 100_000  # strains at which the slow history is looked at
+FINE = 100_000  # number of strains at which the slow history is computed
 BEYOND = 1.1  # of the strain at which inclined bonds slide
-HOLDS = 0.9  # of it: where none slides yet
-BEHIND = 2e-3  # of the pressure: what one pair of bonds in a block of 82 costs is twice as much
-MOMENT = "bonds open one after another within the time that a wave takes, in an order of their own"
-BEYOND_A2 = "no slow history is known where inclined bonds slide; up to there it is judged in parts"
+HOLDS = 0.9  # of that strain: no bond slides yet
+BEHIND = 2e-3  # of the pressure: one pair of bonds in a block of 82 costs twice as much
+MOMENT = "bonds open one after another while a wave passes, in an order that is not determined"
+BEYOND_A2 = (
+    "no slow history is known where inclined bonds slide; up to there the curve is judged in parts"
+)
 FACES = "the equation is for a lattice without faces; shown for comparison with the paper"
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 
 
-def _both(value: float, reason: str) -> Exact:
+def _bounds(value: float, reason: str) -> Exact:
     return Exact(dict.fromkeys(CLASSES, Tolerance(value, reason)))
 
 
-def _near(p: Parameters, block: Lattice) -> Exact:
-    return _both(
+def _history_bounds(p: Parameters, block: Lattice) -> Exact:
+    return _bounds(
         min(LARGEST_TOLERANCE, _waves(block, 5e-3) * max(1.0, _pace(p))),
         f"viscosity adds a thousandth at a rate of 1/s; {WAVES}; {PACED}",
     )
 
 
-def _steps(p: Parameters, block: Lattice) -> Exact:
-    return _both(
+def _landmark_bounds(p: Parameters, block: Lattice) -> Exact:
+    return _bounds(
         min(LARGEST_TOLERANCE, _waves(block, 6e-3) * max(1.0, _pace(p))),
         "outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s; "
         f"{WAVES}; {PACED}",
     )
 
 
-def _open(p: Parameters) -> Exact:
-    return _both(
+def _slope_bounds(p: Parameters) -> Exact:
+    return _bounds(
         min(LARGEST_TOLERANCE, 1e-4 * max(1.0, _pace(p))),
         "the path of units without a base is exact; viscosity adds in proportion to the rate, and "
-        "waves are left of the last opening",
+        "waves of the last opening remain",
     )
 
 
 def _pace(p: Parameters) -> float:
-    """How far a bond is stretched while a wave passes it, over xb, and over that by default."""
+    """The stretch of a bond while a wave passes it over xb, relative to that at the defaults."""
     given = {one.name: one.value for one in BRITTLE}
     passes = np.sqrt(p["m"] / given["m"] * given["kn"] / p["kn"])
     return float(abs(p["rate"]) * p["d"] / given["d"] * given["xb"] / p["xb"] * passes)
 
 
 def _waves(block: Lattice, small: float) -> float:
-    """The bound of the smallest block, and of others."""
+    """The bound `small` for the smallest block, and a larger one for others."""
     return small if len(block.position) <= SMALL else 5e-2
 
 
 SMALL = 82
 WAVES = (
-    "the wave of an opening takes along what bears up to a twentieth less, in blocks of more than "
-    "82 elements, at any rate"
+    "in blocks of more than 82 elements the wave of an opening also opens bonds that bear up to a "
+    "twentieth less, at any rate"
 )
-PACED = "both grow with what a bond is stretched by, of xb, while a wave passes it"
-TIES = (0.02, 0.005, 0.08)  # of the largest stretch: bonds that open at once; the first is shown
-TIED = "which of nearly equal bonds opens first is not determined, and this may depend on it"
-STRETCHED = _both(
-    5e-2, "a bond is stretched by up to a step more than xb as it opens, faster where others open"
+PACED = "both errors grow with the stretch of a bond, over xb, while a wave passes it"
+# of the largest stretch: bonds within it open together; the first is shown
+TIES = (0.02, 0.005, 0.08)
+TIED = (
+    "which of several nearly equal bonds opens first is not determined, and the value may depend "
+    "on it"
+)
+STRETCHED = _bounds(
+    5e-2,
+    "a bond opens up to a step after its stretch exceeds xb, and stretches faster where "
+    "others open",
 )
 COARSEST = 8e-8  # s
 RUNGS = tuple(Knobs(dt=COARSEST / 2**i) for i in range(2))
-LEVELS = {  # what is wrong follows from the rate, hardly from the step: two show that
+LEVELS = {  # the error depends on the rate and hardly on the step, as two steps show
     Level.QUICK: RUNGS[:1],
     Level.DEFAULT: RUNGS[:1],
     Level.PAPER: RUNGS,
 }
 NETWORK = "the network's stress under its strain, its most stretched bonds taken out at xb"
-NO_SIZE = {"d": "forces are those of springs and strengths, and are taken over areas"}
+NO_SIZE = {
+    "d": "forces depend on springs and strengths, not on the size; the case divides them by areas"
+}
 STRONG = dict.fromkeys(("fs0", "mu_p"), "level bonds open long before inclined ones slide")
 CASE = Case(
     name="close-packed-failure",
     title="Stress and strain of close-packed blocks through failure",
     source=Source(
         *LIU_2017,
-        "Fig. 5: the pressure grows in a line to A1, falls as level bonds open, and grows to A2, "
+        "Fig. 5: the pressure grows linearly to A1, falls as level bonds open, and grows to A2, "
         "where inclined ones slide; A3 is a small drop before A1. The reference is the slow "
-        "history of a network whose bonds are taken out as they open. The paper's block has 2166 "
-        "elements; the rate is chosen, slow enough for waves to fade. Stress is on the hull of the "
-        "centres.",
+        "history of a network whose bonds are removed as they open. The paper's block has 2166 "
+        "elements; the rate is chosen, slow enough for waves to decay. Stress is the force over "
+        "the hull of the centres.",
     ),
     parameters=(*BRITTLE, Parameter("rate", -1.0, "1/s", "strain rate, tension positive")),
     variants=tuple(
@@ -304,10 +319,10 @@ CASE = Case(
                 unseen={**NO_SIZE, **STRONG})
         for name, what, level in (
             ("82", "82 elements, stress", Level.QUICK),
-            ("82-counted", "82 elements, how many bonds are open", Level.DEFAULT),
+            ("82-counted", "82 elements, number of open bonds", Level.DEFAULT),
             ("255", "255 elements, stress", Level.PAPER),
             ("2166", "2166 elements, as in the paper, stress", Level.PAPER),
-            ("255-counted", "255 elements, how many bonds are open", Level.PAPER),
+            ("255-counted", "255 elements, number of open bonds", Level.PAPER),
         )
     ),
     declare=_declare,

@@ -37,9 +37,10 @@ from vv.scene import Bonds, Contact, Mask, Scene, Spheres, Vector
 
 SIDES = ((0, 0), (0, 1), (1, 0), (1, 1))  # axis and side of the extreme rows across the load
 LOADING = 5.0  # over the lowest frequency: the interval over which changes are measured
-LEANS = {"vertex": np.degrees(np.arccos(1 / 3)), "in-plane": 90.0, "softest": 50.0}  # of c, degrees
-CUT = 8.5  # diameters: the width of a block that is cut along no layers, half its height
-SETTLED = {False: 4, True: 80}  # how many such intervals pass before; True: elements rotate
+# degrees from c
+LEANS = {"vertex": np.degrees(np.arccos(1 / 3)), "in-plane": 90.0, "softest": 50.0}
+CUT = 8.5  # diameters: the width of a block that is cut across layers, half its height
+SETTLED = {False: 4, True: 80}  # number of such intervals before; True: elements rotate
 
 
 @functools.lru_cache(maxsize=16)
@@ -51,9 +52,9 @@ def _block(variant: str, d: float) -> Lattice:
 
 
 def lowest(p: Parameters, block: Lattice) -> float:
-    """About the lowest frequency [1/s] of a block: 1.3 to 1.6 of the speed of waves over its size.
+    """The approximate lowest frequency [1/s] of a block: 1.4 times the wave speed over its size.
 
-    Those were found for the blocks of 82 to 2166 elements.
+    Factors of 1.3 to 1.6 were found for the blocks of 82 to 2166 elements.
     """
     E = lattice_material.youngs_modulus(p["kn"], p["gamma"] * p["kn"], p["d"])
     speed = np.sqrt(E * p["d"] ** 3 / (np.sqrt(2) * p["m"]))
@@ -61,7 +62,7 @@ def lowest(p: Parameters, block: Lattice) -> float:
 
 
 def held(p: Parameters, block: Lattice, time: float, turning: bool) -> Scene:
-    """The block with its base in place and its top carried; it starts in the lattice's motion."""
+    """The block with a fixed base and a moving top; it starts with the motion of the lattice."""
     kn, d, n = p["kn"], p["d"], len(block.position)
     rate = p["strain"] / time
     widths = np.array([-lattice_material.poissons_ratio(kn, p["gamma"] * kn)] * 2 + [1.0])
@@ -82,7 +83,7 @@ def held(p: Parameters, block: Lattice, time: float, turning: bool) -> Scene:
 
 
 def seen_of(block: Lattice) -> tuple[Observable, ...]:
-    """What `observed` needs: how faces move, and what carries the top."""
+    """The observables of `observed`: displacements of the faces, and forces on the top."""
     return tuple(
         kind(int(i))
         for kind, rows in (
@@ -114,7 +115,7 @@ def _part(answer: Callable[[], Static], field: str) -> float:
 def _measured(
     p: Parameters, block: Lattice, answer: Callable[[], Static], turning: bool, lean: float
 ) -> tuple[Quantity, ...]:
-    """E and nu; nu along x and y differ where faces do, and all differ from the lattice's."""
+    """E and nu of the block; nu along x and y differ as faces do, and all from the lattice's."""
     springs = {"kn": p["kn"], "ks": p["gamma"] * p["kn"], "d": p["d"]}
     along = lattice_directions.modulus([np.sin(lean), 0.0, np.cos(lean)], **springs)
     E = lattice_material.youngs_modulus(**springs)
@@ -131,12 +132,12 @@ def _measured(
     def share(run: Run) -> float:
         return observed("E", block, run) / E
 
-    rows = "ratio of strains by the extreme rows along"
+    rows = "minus the ratio of strains, by the extreme rows along"
     return (
-        of("E", "Pa", "modulus on the area of the hull of the centres", "E"),
+        of("E", "Pa", "Young's modulus, with the stress on the hull of the centres", "E"),
         of("nu", "", "mean of nu_x and nu_y", "nu"),
-        of("nu_x", "", f"{rows} x, negated", "nu"),
-        of("nu_y", "", f"{rows} y, negated", "nu"),
+        of("nu_x", "", f"{rows} x", "nu"),
+        of("nu_y", "", f"{rows} y", "nu"),
         Scalar(
             "E-excess",
             "E/E_n - 1",
@@ -148,12 +149,21 @@ def _measured(
             1.0,
             FACES,
         ),
-        Scalar("share", "E/E_6", "", "E over that along c, Eq. 6", share, None, 1.0, FACES),
+        Scalar(
+            "share",
+            "E/E_6",
+            "",
+            "E over that of the lattice along c, Eq. 6",
+            share,
+            None,
+            1.0,
+            FACES,
+        ),
     )
 
 
 def observed(name: str, block: Lattice, run: Run, since: int = -2, until: int = -1) -> float:
-    """A quantity by what changed between two outputs."""
+    """A quantity from the changes between two outputs."""
     change = functools.partial(_change, run, since, until)
     top = block.at(2, 1)
     strain = change(Displacement, top, 2).mean() / block.position[top, 2].mean()
@@ -186,7 +196,7 @@ LEFT = (
     "bonds rotate with it"
 )
 LEFT_TURNING = (
-    "rotation is damped through the centres only, and 1e-5 of it is left; bonds turn as well"
+    "rotation is damped through the centres only, and 1e-5 of it is left; bonds rotate as well"
 )
 FACES: Judge = Shown(
     "elements at the faces have fewer bonds, and the area of a block is a convention"
@@ -196,7 +206,7 @@ STEPS = {
     Level.DEFAULT: (1e-7, 5e-8),
     Level.PAPER: (1e-7, 5e-8, 2.5e-8),
 }  # s
-LARGE, PATIENCE = 2166, 200.0  # elements, beyond which one step is all that is run; s for a rung
+LARGE, PATIENCE = 2166, 200.0  # elements, beyond which only one step runs; CPU time of a rung [s]
 COARSE = dict.fromkeys(Level, (1e-7,))
 BALANCE = "sum over bonds (kn n n + ks (1 - n n)) (u_j - u_i) = 0 between the platens"
 NO_SIZE = {
@@ -211,7 +221,7 @@ RUN_AT = {
 VARIANTS = (
     *(
         Variant(
-            f"{n}", f"{n} elements of quartzite, which do not turn", BALANCE,
+            f"{n}", f"{n} elements of quartzite, which do not rotate", BALANCE,
             inert=frozenset({"m"}), level=level, unseen=NO_SIZE,
         )
         for level, sizes in RUN_AT.items()
@@ -239,15 +249,15 @@ CASE = Case(
     title="Blocks of close-packed elements",
     source=Source(
         *LIU_2017,
-        "The paper gives neither the area on which it takes the stress nor how it takes the strain "
-        "across: here the hull of the centres, (n - 1) d x p sqrt3 d, and the extreme rows. E "
-        "depends on the area by some per cent. Judged by the static answer of the same block, to "
-        "first order. Loaded to rest quickly: the base holds still, the top moves steadily, and "
-        "what force and widths change by between two outputs is the static answer once the modes "
-        "are gone, since drag only adds a constant to both. The viscosity is critical at the "
-        "lowest frequency, about 1.4 times the speed of waves over the size; it is chosen. Boxes "
+        "The paper gives neither the area of its stress nor the way in which it measures lateral "
+        "strain: here they are the hull of the centres, (n - 1) d x p sqrt3 d, and the extreme "
+        "rows. E depends on the area by some per cent. The reference is the static answer of the "
+        "same block, to first order. To reach it quickly the base is fixed and the top moves "
+        "steadily: once the modes have decayed, drag only adds constants to force and widths, so "
+        "that their changes between two outputs are the static answer. The viscosity is chosen: it "
+        "is critical at the lowest frequency, about 1.4 times the wave speed over the size. Boxes "
         "along other directions are cut across layers: their faces are the elements within half a "
-        "diameter of the foremost.",
+        "diameter of the outermost.",
     ),
     parameters=(
         *ELASTIC,

@@ -1,4 +1,4 @@
-"""Blocks of close-packed bonded elements drawn and pressed to strains of a thousandth: E and nu."""
+"""Close-packed bonded elements pulled and compressed to strains of a thousandth: E and nu."""
 
 from __future__ import annotations
 
@@ -31,19 +31,19 @@ from vv.case import (
 )
 from vv.scene import Vector
 
-OUTPUTS = 10  # on the way; the first is where starting has faded, and all changes begin
-STOPS = (2, 5, 10)  # the outputs at which E and nu are taken
-LONG = 500.0  # over the lowest frequency: the duration
-PARTS = 4  # of the reference's way from output to output
+OUTPUTS = 10  # at the first of them the start has decayed, and all changes begin
+STOPS = (2, 5, 10)  # the outputs at which E and nu are measured
+DURATION = 500.0  # over the lowest frequency: the duration
+PARTS = 4  # increments of the reference between two outputs
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    """The top is carried at a steady rate; bonds do not break."""
+    """The top moves at a steady rate; bonds do not break."""
     if not 1e-6 <= abs(p["strain"]) <= 5e-3:
         raise ValueError(f"strain = {p['strain']!r}; its size must be from 1e-6 to 5e-3")
     block = block_of(int(variant.partition("-")[2]), p["d"])
     coarse = COARSE * slower(p)
-    steps = max(1, round(LONG / OUTPUTS / lowest(p, block) / coarse))  # between two outputs
+    steps = max(1, round(DURATION / OUTPUTS / lowest(p, block) / coarse))  # between two outputs
     goal = History(OUTPUTS * steps * coarse, steps * coarse)
     scene = held(p, block, goal.duration, turning=False)
     levels = dict.fromkeys(Level, (Knobs(coarse), Knobs(coarse / 2)))
@@ -60,7 +60,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _moduli(
     p: Parameters, block: Lattice, strains: Vector, exact: Callable[[], Vector]
 ) -> Iterator[Quantity]:
-    """E and nu_x of what changed since the first output, and over those at no strain."""
+    """E and nu_x from the changes since the first output, and E over that at zero strain."""
 
     def due(which: int, column: int, sign: float) -> float:
         found = exact()
@@ -77,7 +77,7 @@ def _moduli(
             value = functools.partial(due, which, column, sign)
             yield Scalar(
                 f"{name}({strain:g})", f"{name}({strain:g})", unit,
-                f"change since a strain of {strains[0]:g} to one of {strain:g}",
+                f"secant from a strain of {strains[0]:g} to one of {strain:g}",
                 functools.partial(observed, name, block, since=1, until=stop),
                 value, value, ON_PATH,
             )  # fmt: skip
@@ -88,17 +88,18 @@ def _moduli(
     )  # fmt: skip
 
 
-GROWS = "the paper says that errors grow with the strain: this is by how much"
+GROWS = "the paper says that errors grow with the strain; this shows by how much"
 SLOW = (
-    "the rate is steady, and inertia fades; the tangent changes by a thousandth on the way, which "
-    "motion follows late by a fiftieth; half a step's lag of shear springs at first order"
+    "at a steady rate the effect of inertia decays. The tangent changes by a thousandth, and the "
+    "motion lags behind that by a fiftieth; shear springs of first-order schemes lag half a step"
 )
 ON_PATH = Exact(dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), Tolerance(2e-5, SLOW)))
 COARSE = 1e-7  # s
 PATH = "sum over bonds kn (L - d) n + S = 0 between the platens, S' = ks v_across + turn x S"
 NO_SIZE = {
     "d": "forces per displacement are those of the springs, whatever the size of the elements",
-    "strain": "moduli change by half of what the strain changes, and are taken at strains reported",
+    "strain": "moduli change by half of the change of strain, and are computed from strains that a "
+    "code reports",
 }
 CASE = Case(
     name="close-packed-path",
@@ -106,9 +107,9 @@ CASE = Case(
     source=Source(
         *LIU_2017,
         "Figs. 4a and b, in which strains go to 1e-3 and bonds are made too strong to break. The "
-        "reference is the balance of the same block at finite strain, with the incremental shear "
-        "spring. E and nu are those of changes since a tenth of the way, where the start has "
-        "faded. Stress is on the hull of the centres.",
+        "reference is the equilibrium of the same block at finite strain, with the incremental "
+        "shear spring. E and nu are computed from the changes since a tenth of the strain, where "
+        "the start has decayed. Stress is the force over the hull of the centres.",
     ),
     parameters=(
         *ELASTIC,

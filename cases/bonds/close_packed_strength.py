@@ -39,7 +39,7 @@ OUTPUTS = 2000
 
 
 class Expected(NamedTuple):
-    """A strength [Pa]: its name, meaning and answer, beside what an equation says, and a judge.
+    """A strength [Pa]: its name, meaning and exact value, that of an equation, and a judge.
 
     far: the strain up to which blocks are loaded.
     """
@@ -65,7 +65,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     duration = abs(expected.far / p["rate"])
     goal = History(duration, duration / OUTPUTS)
     watched: tuple[Observable, ...] = tuple(what for top in tops for what in top)
-    quantities = (*_strength(expected, whole), _hurry(expected, seen), _balance(way, int(size)))
+    quantities = (
+        *_strength(expected, whole),
+        _rate_effect(expected, seen),
+        _balance(way, int(size)),
+    )
     rungs = dict.fromkeys(Level, RUNGS[:1]) if int(size) > LARGE else LEVELS
     return Trial(Ladder(scene, goal, watched, rungs, cpu_limit=PATIENCE), quantities)
 
@@ -100,12 +104,12 @@ def _on_springs(block: Lattice, p: Parameters) -> Expected:
     """No exact answer is known: bonds slide one after the other."""
     rigid, ends = _pressed(block, p), block.at(2, 1).sum()
     sunk = 2.0 * rigid.printed * block.area / (ends * p["platen"])
-    far = rigid.far - sunk / block.height  # negative, as of all that are pressed
+    far = rigid.far - sunk / block.height  # negative, as in all that are compressed
     return rigid._replace(exact=None, judge=Shown(FACES), far=far)
 
 
 def _largest(tops: list[list[Reaction]], area: float, which: int, run: Run) -> float:
-    """The largest stress [Pa] on the hull's area, half an output after it was last seen to grow."""
+    """The largest stress [Pa] on the hull's area, extrapolated by half an output."""
     stress = np.abs(sum(run.values[what][:, 2] for what in tops[which])) / area
     last = int(stress.argmax())
     return float(stress[last] + 0.5 * (stress[last] - stress[last - 1]))
@@ -123,18 +127,18 @@ def _strength(expected: Expected, whole: Callable[[Run], float]) -> tuple[Quanti
         return whole(run) / printed - 1.0
 
     beside = f"{name} over {equation}"
-    what = f"{beside}, less 1; {PUBLISHED[name]}"
+    what = f"{beside}, minus 1; {PUBLISHED[name]}"
     return (
         Scalar(name, name, "Pa", meaning, whole, exact, exact or printed, judge),
         Scalar(beside, beside, "", what, over, None, 1.0, Shown(FACES)),
     )
 
 
-def _hurry(expected: Expected, seen: Callable[[int, Run], float]) -> Scalar:
+def _rate_effect(expected: Expected, seen: Callable[[int, Run], float]) -> Scalar:
     """The part of a strength that is due to the slower rate: the error without extrapolation."""
     name, what = (
         f"{expected.name} at the rate",
-        "strength of the slower block over that extrapolated to zero rate, less 1",
+        "strength of the slower block over that extrapolated to zero rate, minus 1",
     )
 
     def more(run: Run) -> float:
@@ -144,7 +148,7 @@ def _hurry(expected: Expected, seen: Callable[[int, Run], float]) -> Scalar:
 
 
 BEYOND = 1.1  # of the strain at failure
-LARGE = 2166  # elements, beyond which one step is all that is run
+LARGE = 2166  # elements, beyond which only one step runs
 PUBLISHED = {
     "T_u": "the paper's mean over its blocks is -8.89 %",
     "C_u": "the paper's mean over its blocks is -18.51 %, which rigid smooth platens do not "
@@ -155,38 +159,41 @@ FACES = "the equation is for a lattice without faces; shown for comparison with 
 APART_BY = (
     "outputs are 5e-4 of the strength apart, which enters three times in the extrapolation to "
 )
-OPENS = f"the answer is linear, which finite strain changes by 1e-4; {APART_BY}zero rate"
-SLIDES = f"the answer takes bonds to open at the unit's strain; {APART_BY}zero rate"
+OPENS = f"the answer is linear, and finite strain changes it by 1e-4; {APART_BY}zero rate"
+SLIDES = f"the answer assumes that bonds open at the strain of the unit; {APART_BY}zero rate"
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 FIRST: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-3, OPENS)))
 AT_ONCE: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-3, SLIDES)))
 COARSEST = 8e-8  # s
 RUNGS = tuple(Knobs(dt=COARSEST / 2**i) for i in range(4))
-PATIENCE = 200.0  # s for a rung, of the 300 on a busy machine that a job has by default
+PATIENCE = 200.0  # CPU s of a rung; by default a job has 300, on a busy machine
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:2], Level.PAPER: RUNGS}
 
 OPENING = "the most stretched bond of the linear lattice has the stretch xb"
 SLIDING = "C_u of the unit (1 + 1/(6n - 6)), n elements a row: all inclined bonds slide at once"
 IN_BALANCE = frozenset({"m", "rate", "platen"})
 PULLED = IN_BALANCE | {"fs0", "mu_p"}
-NO_SIZE = {"d": "the force at which a bond opens, kn xb, knows no size, and is taken over an area"}
+NO_SIZE = {
+    "d": "the force at which a bond opens, kn xb, does not depend on the size; the case "
+    "divides it by an area"
+}
 CASE = Case(
     name="close-packed-strength",
     title="Close-packed blocks to failure",
     source=Source(
         *LIU_2017,
-        "T_u is judged by where the first bond opens in the linear lattice, at a face, and not by "
-        "Eq. 7: with it the block fails. C_u is judged by where inclined bonds slide, all at once "
-        "and long after all horizontal ones opened. The paper's mean is lower, by no area that "
-        "would leave its E as it is; beside it are platens that yield under each element, which "
-        "it does not tell of (2 kn is chosen: a contact is two elements in series). Stress is on "
-        "the area of the hull of the centres. The paper moves the platen in steps; here it is "
-        "carried steadily, at two rates, from which that of zero is told. Eq. 28 gives the "
-        "viscosity.",
+        "T_u is judged by the opening of the first bond in the linear lattice, at a face, with "
+        "which the block fails, and not by Eq. 7. C_u is judged by the sliding of inclined bonds, "
+        "all at once and long after all horizontal ones have opened. The paper's mean is lower, "
+        "and no other area explains that without changing its E. Platens that yield under each "
+        "element, which the paper does not mention, are shown as well "
+        "(2 kn is chosen: a contact is two elements in series). Stress is the force over the hull "
+        "of the centres. The paper moves the platen in steps; here it moves steadily, at two "
+        "rates, from which strengths are extrapolated to zero rate. Eq. 28 gives the viscosity.",
     ),
     parameters=(
         *BRITTLE,
-        Parameter("platen", 93587662.2158, "N/m", "stiffness of platens that yield, an element's"),
+        Parameter("platen", 93587662.2158, "N/m", "stiffness of yielding platens, per element"),
         Parameter("rate", 0.6, "1/s", "strain rate of the slower block, tension positive"),
     ),
     variants=(

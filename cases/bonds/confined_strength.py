@@ -1,4 +1,4 @@
-"""Four bonded elements pressed to failure while loads hold their base together: friction."""
+"""Four bonded elements compressed to failure while loads confine their base: friction."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ from vv.case import (
 )
 from vv.scene import Bonds, Contact, Scene, Spheres
 
-ON_BASE = np.array([[True, True, False]] * 4)  # the top is carried, the base slides on its plane
+ON_BASE = np.array([[True, True, False]] * 4)  # the top is driven, the base slides on its plane
 APART = 10.0  # diameters between the units, which never meet
 SHARES = {"two": (0.0, 1.0), "five": (0.0, 0.125, 0.25, 0.5, 1.0)}  # of the largest load
 
 
 def _scene(p: Parameters, shares: tuple[float, ...]) -> Scene:
-    """Two units for each load, pressed at two steady rates; loads act from the start."""
+    """Two units for each load, compressed at two steady rates; loads act from the start."""
     d, nu = p["d"], lattice_material.poissons_ratio(p["kn"], p["ks"])
     velocity = p["rate"] * d * np.where([[0, 0, 1]], CORNERS[0, 2] * (CORNERS > 0.1), -nu * CORNERS)
     inward = np.where(CORNERS[:, 2:] > 0.1, 0.0, -CORNERS * np.sqrt(3.0)) * [1.0, 1.0, 0.0]
@@ -71,9 +71,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
     watched: tuple[Observable, ...] = (*(Reaction(first) for first in firsts), *moved)
     strengths = tuple(
         Scalar(
-            f"C_u at {share:g} fx", f"C_u({share:g} fx)", "Pa", "pressure at which bonds slide",
+            f"C_u at {share:g} fx", f"C_u({share:g} fx)", "Pa", "pressure at which inclined bonds "
+            "slide",
             functools.partial(_strength, p, which), failed.pressure, failed.pressure,
-            _balances(p, _swing(p, failed)),
+            _bounds(p, _remaining_oscillation(p, failed)),
         )
         for which, (share, failed) in enumerate(zip(shares, exact, strict=True))
     )  # fmt: skip
@@ -87,28 +88,32 @@ def _strength(p: Parameters, which: int, run: Run) -> float:
 
 
 def _failure(p: Parameters, fx: float) -> Failure:
-    """Where inclined bonds slide, at the largest pressure of all; raises ValueError elsewhere."""
+    """The failure by sliding of inclined bonds; ValueError if it is not the largest pressure."""
     element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
     failed = confined_unit.sliding_failure(element, p["d"], fx)
     if not failed.pressure > failed.held:
         raise ValueError(f"fx = {fx!r} N; bonds slide below the pressure that opens the base")
     if not failed.spare > 0.0:
-        raise ValueError(f"fx = {fx!r} N; the swing as the base opens makes inclined bonds slide")
+        raise ValueError(
+            f"fx = {fx!r} N; the oscillation after the base opens makes inclined bonds slide"
+        )
     return failed
 
 
-def _swing(p: Parameters, failed: Failure) -> float:
-    """What viscosity leaves, in the faster unit, of the swing that sets in as the base opens."""
+def _remaining_oscillation(p: Parameters, failed: Failure) -> float:
+    """The part of the oscillation after the base opens that viscosity leaves in the faster unit."""
     late = (failed.opened - failed.strain) / (RATES[0] * abs(p["rate"]))
     return math.exp(-p["eta"] * late / (2.0 * p["m"]))
 
 
 def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
-    """What the largest horizontal stress adds to C_u, over it, and over what is printed of that."""
+    """The increase of C_u over the largest horizontal stress, and that over the printed value."""
     across = confined_unit.horizontal_stress(p["fx"], p["d"])
     free, held = exact[0].pressure, exact[-1].pressure
     due = (held - free) / across
-    swing = sum(one.pressure * _swing(p, one) for one in (exact[0], exact[-1])) / (held - free)
+    swing = sum(one.pressure * _remaining_oscillation(p, one) for one in (exact[0], exact[-1])) / (
+        held - free
+    )
     printed = lattice_material.printed_confinement(p["mu_p"])
 
     def slope(run: Run) -> float:
@@ -117,7 +122,7 @@ def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
 
     return (
         Scalar("P", "P", "", "increase of C_u over the horizontal stress", slope, due, due,
-               _balances(p, swing)),
+               _bounds(p, swing)),
         Scalar("P over Eq. 15", "P/P_15", "", "the same over P as printed", lambda run:
                slope(run) / printed, None, 1.0, Shown(HALF)),
         Scalar("P over twice Eq. 15", "P/2P_15", "", "the same over P with the stress of Eq. 11a "
@@ -125,8 +130,8 @@ def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-def _balances(p: Parameters, swing: float) -> Exact:
-    """At the path of balances, but for what is left of the rate and of the swing."""
+def _bounds(p: Parameters, swing: float) -> Exact:
+    """For equilibrium, apart from effects of the rate and of the oscillation."""
     hurry = (p["eta"] * p["rate"] * p["d"] / p["fs0"] / USUAL) ** 2
     bound = Tolerance(min(LARGEST_TOLERANCE, 1e-5 * max(1.0, hurry) + swing), RATE)
     return Exact({Method.SECOND_ORDER: bound, Method.FIRST_ORDER: bound})
@@ -134,25 +139,31 @@ def _balances(p: Parameters, swing: float) -> Exact:
 
 USUAL = 6.0 * 30.0 * 1e-3 / 18.4522728  # force of viscosity over strength, by default
 RATE = (
-    "strengths are extrapolated from two rates; what is left is of second order in the force of "
-    "viscosity over the strength; the unit swings as the base opens, until viscosity ends it"
+    "strengths are extrapolated from two rates: an error of second order in the viscous force over "
+    "the strength remains. The unit also oscillates after its base opens, until viscosity damps "
+    "that"
 )
-HALF = "the stress of Eq. 11a, and so P, is half of what a section through the unit gives"
-SMALL = "P is for small strains; at failure the unit is shorter by half a per cent, and wider"
+HALF = (
+    "Eq. 11a gives twice the stress of a section through the unit, so that its P is half of that "
+    "here"
+)
+SMALL = (
+    "P is derived for small strains; at failure the unit is shorter by half a per cent, and wider"
+)
 RUNGS = tuple(Knobs(dt=4e-8 / 2**i) for i in range(3))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:2], Level.PAPER: RUNGS}
 FORMULA = "|F_s1| = fs0 - mu_p F_n1 on the path of balances under the loads; P = dC_u/dsigma_xx"
 INERT = frozenset({"m", "eta", "rate"})
-CLOSED = {"xb": "no bond opens: the strength follows it by 2e-8 for a hundredth"}
+CLOSED = {"xb": "no bond fails by opening: 1 % of xb changes the strength by 2e-8"}
 CASE = Case(
     name="confined-strength",
     title="Four bonded elements pressed under confinement",
     source=Source(
         *LIU_2017,
-        "Eqs. 9 to 15. Eq. 11a is twice the horizontal stress by a section or the virial, so that "
-        "P of Eqs. 12 and 15 is half of what it is, and mu_i of Table 1 is 1.56 and not 1. Judged "
-        "by the balances at finite displacement. The paper shows no such test; loads, viscosity "
-        "and rates are chosen.",
+        "Eqs. 9 to 15. Eq. 11a gives twice the horizontal stress of a section or of the virial, so "
+        "that P of Eqs. 12 and 15 is half of its right value, and mu_i of Table 1 is 1.56 and not "
+        "1. The reference is equilibrium at finite displacement. The paper shows no such test; "
+        "loads, viscosity and rates are chosen.",
     ),
     parameters=(
         *BRITTLE,
@@ -161,7 +172,9 @@ CASE = Case(
         Parameter("rate", -30.0, "1/s", "strain rate of the slower units, tension positive"),
     ),
     variants=(
-        Variant("two", "without loads, and with the largest", FORMULA, inert=INERT, unseen=CLOSED),
+        Variant(
+            "two", "without loads, and with the largest ones", FORMULA, inert=INERT, unseen=CLOSED
+        ),
         Variant(
             "five", "with five loads", FORMULA, inert=INERT, level=Level.DEFAULT, unseen=CLOSED
         ),

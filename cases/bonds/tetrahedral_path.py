@@ -1,4 +1,4 @@
-"""Four bonded elements drawn slowly out and in: E and nu on the way, to strains of 5e-3."""
+"""Four bonded elements slowly pulled and compressed: E and nu at strains of up to 5e-3."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ from vv.case import (
 )
 
 OUTPUTS = 500  # on the way to the largest strain
-STOPS = (1, 10, 100, 500)  # the outputs at which E and nu are taken
+STOPS = (1, 10, 100, 500)  # the outputs at which E and nu are measured
 TOP = Reaction(0)
 WATCHED: tuple[Observable, ...] = (TOP, *SEEN)
-DRAWN = np.array([[True, True, False]] * 4)  # the top is carried, the base slides on its plane
+DRAWN = np.array([[True, True, False]] * 4)  # the top is driven, the base slides on its plane
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    """The top is carried at a steady rate, and the base starts as it goes on at small strains."""
+    """The top is driven at a steady rate; the base starts as it moves at small strains."""
     kn, d, strain = p["kn"], p["d"], p["strain"]
     if not p["rate"] > 0:
         raise ValueError(f"rate = {p['rate']!r} 1/s; its size must be positive")
@@ -61,13 +61,13 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _whole_steps(interval: float) -> float:
-    """The least time [s] that is no less and is whole steps at each rung, so that strains are."""
+    """The interval [s], rounded up to whole steps of every rung, so that strains are exact."""
     coarsest = float(RUNGS[0].dt or 0.0)
     return math.ceil(interval / coarsest * (1.0 - 1e-9)) * coarsest
 
 
 def _at(p: Parameters, stop: int) -> Iterator[Quantity]:
-    """E and nu at an output: on the path, and what they are beyond Eqs. 6 and 4."""
+    """E and nu at an output: on the path, and their differences from Eqs. 6 and 4."""
     kn, gamma, d = p["kn"], p["gamma"], p["d"]
     ks, strain = gamma * kn, p["strain"] * stop / OUTPUTS
     state = tetrahedral_unit.equilibrium(strain, kn=kn, ks=ks, d=d)
@@ -93,25 +93,25 @@ def _at(p: Parameters, stop: int) -> Iterator[Quantity]:
 
 
 def _on_path(p: Parameters, strain: float) -> Judge:
-    """What inertia leaves of the path is (rate/w)^2 over the strain, w^2 = kn/m, a fifth of it."""
+    """Inertia leaves a fifth of (rate/w)^2 over the strain, w^2 = kn/m."""
     left = 0.4 * p["rate"] ** 2 * p["m"] / p["kn"] / abs(strain)
     bound = min(LARGEST_TOLERANCE, max(4e-7, left))
     return Exact({Method.SECOND_ORDER: Tolerance(bound, SLOW, slack=SLACK)})
 
 
 def _secant(name: str, d: float, stop: int, run: Run) -> float:
-    """E [Pa] or nu at an output, of the force that carries the top."""
+    """E [Pa] or nu at an output, by the force that drives the top."""
     return as_it_is(name, float(run.values[TOP][stop, 2]), d, seen_at(run, stop))
 
 
 def _beyond(name: str, d: float, stop: int, small: float, scale: float, run: Run) -> float:
-    """How far a secant is from what it is at small strains, over a scale."""
+    """The difference of a secant from its value at small strains, over a scale."""
     return (_secant(name, d, stop, run) - small) / scale
 
 
 SLOW = (
-    "what inertia leaves of the path, some (rate/w)^2 over the strain, w^2 = kn/m; and, "
-    "at any strain, shear springs that are turned half a step late, up to 3e-7 of nu at gamma = 1"
+    "inertia shifts the path by some (rate/w)^2 over the strain, w^2 = kn/m. At any strain, shear "
+    "springs that rotate half a step late add up to 3e-7 of nu at gamma = 1"
 )
 SLACK = "springs that rotate at mid-step do not lag; the effect of inertia falls with the strain"
 BESIDE = Shown(
@@ -124,7 +124,8 @@ PATH = "3 (Fn1 cos a + Fs1 sin a) = Fz, Fn1 sin a - Fs1 cos a + sqrt3 Fn2 = 0, S
 BALANCED = frozenset({"m", "rate"})
 NO_SIZE = {
     "d": "forces per displacement are those of the springs, whatever the size of the elements",
-    "strain": "secants are taken at strains that the code reports, and hardly change with them",
+    "strain": "secants are computed from the strains that a code reports, and hardly change with "
+    "them",
 }
 WAYS = (("out", 5e-3), ("in", -5e-3))
 
@@ -133,11 +134,11 @@ CASE = Case(
     title="Four bonded elements to finite strain",
     source=Source(
         *LIU_2017,
-        "Judged by the equilibrium path of the incremental shear spring, with the small-strain "
-        "Eqs. 4 and 6 and their first order in the strain beside it. A load put on at once, as in "
-        "tetrahedral-unit, leaves that path on its way to rest by a tenth of the strain; so here "
-        "the top is carried steadily, without viscosity, at a rate that is chosen. Bonds do not "
-        "break.",
+        "The reference is the equilibrium path of the incremental shear spring; differences from "
+        "the small-strain Eqs. 4 and 6 are shown beside their first order in the strain. Under a "
+        "load applied at once, as in tetrahedral-unit, the unit departs from that path by a tenth "
+        "of the strain before it comes to rest. Here the top is driven steadily, without "
+        "viscosity, at a rate that is chosen. Bonds do not break.",
     ),
     parameters=(
         *ELASTIC,

@@ -34,16 +34,16 @@ from vv.case import (
 )
 from vv.scene import Bonds, Contact, Scene, Spheres, Vector
 
-BASE = np.array([[True, True, False]] * 4)  # the top is carried, the base slides on its plane
-RATES = (2.0, 1.0)  # of loading, in the slower one's: of two units, side by side
+BASE = np.array([[True, True, False]] * 4)  # the top is driven, the base slides on its plane
+RATES = (2.0, 1.0)  # rates of loading of the two units, over that of the slower one
 APART = 10.0  # diameters between the units, which never meet
 BEYOND = 1.15  # of the strain at failure, up to which the slower unit is loaded
 EVERY = 1.6e-7  # s between outputs
-FALL = 0.05  # of the largest stress so far: what it falls by where bonds part
+FALL = 0.05  # relative fall below the largest stress so far that shows broken bonds
 
 
 def _scene(p: Parameters) -> Scene:
-    """Two units, loaded at two steady rates; their bases start as they will go on."""
+    """Two units, loaded at two steady rates; their bases start at steady speeds."""
     d, nu = p["d"], lattice_material.poissons_ratio(p["kn"], p["ks"])
     height = CORNERS[0, 2]
     velocity = p["rate"] * d * np.where([[0, 0, 1]], height * (CORNERS > 0.1), -nu * CORNERS)
@@ -62,7 +62,7 @@ def _scene(p: Parameters) -> Scene:
 
 
 class UnitHistory(NamedTuple):
-    """What a unit shows over time: stress [Pa], stretches [m], shear of inclined bonds [N]."""
+    """The history of a unit: stress [Pa], stretches [m], shear of inclined bonds [N]."""
 
     stress: Vector
     inclined: Vector
@@ -71,11 +71,10 @@ class UnitHistory(NamedTuple):
 
 
 def unit_history(p: Parameters, unit: int, run: Run) -> UnitHistory:
-    """The size of the axial stress on the original area (Eq. 5), and what the bonds bear.
+    """The size of the axial stress on the original area (Eq. 5), and the state of the bonds.
 
-    Units come in pairs at RATES.
-    Shear is what the axial force leaves of it, F = 3 (Fn cos a + Fs sin a) + eta v: the top is
-    carried at a steady v and no inertia shows.
+    Units come in pairs at RATES. The shear follows from the axial force, F = 3 (Fn cos a + Fs sin
+    a) + eta v, since the top moves at a steady speed v, without inertia.
     """
     first, d = len(CORNERS) * unit, p["d"]
     u = np.array([run.values[Displacement(first + i)] for i in range(3)])
@@ -95,12 +94,12 @@ def _stretch(d: float, u: Vector, i: int, j: int) -> Vector:
     return np.asarray(longer / (np.linalg.norm(offset + moved, axis=1) + d))
 
 
-def _pulled_apart(p: Parameters, unit: int, run: Run) -> float:
+def _tensile_strength(p: Parameters, unit: int, run: Run) -> float:
     seen = unit_history(p, unit, run)
     return _at(seen.stress, seen.inclined / p["xb"], int(seen.stress.argmax()))
 
 
-def _opened(p: Parameters, unit: int, run: Run) -> float:
+def _opening_strength(p: Parameters, unit: int, run: Run) -> float:
     seen = unit_history(p, unit, run)
     most = np.maximum.accumulate(seen.stress)
     fallen = np.argmax(seen.stress < (1.0 - FALL) * most)
@@ -108,9 +107,10 @@ def _opened(p: Parameters, unit: int, run: Run) -> float:
 
 
 def slid(p: Parameters, unit: int, run: Run) -> float:
-    """The stress [Pa] at which inclined bonds slide, by their shear less friction over fs0.
+    """The stress [Pa] at which inclined bonds slide, where shear minus friction reaches fs0.
 
-    That grows in a line with strain, unlike shear over strength, and so can be extrapolated.
+    That difference grows linearly with strain, unlike shear over strength, so that it can be
+    extrapolated.
     """
     seen = unit_history(p, unit, run)
     unrubbed = seen.shear + p["mu_p"] * p["kn"] * seen.inclined
@@ -120,8 +120,8 @@ def slid(p: Parameters, unit: int, run: Run) -> float:
 def _at(stress: Vector, borne: Vector, peak: int) -> float:
     """The stress [Pa] at which bonds break, extrapolated from the last two outputs before that.
 
-    It is where what they bear, over their strength, gets to 1: less than an output later, and two
-    at most before the stress is seen to fall. Bonds that part elsewhere give another stress.
+    Bonds break where `borne`, their load over their strength, reaches 1: less than an output later,
+    and at most two outputs before the stress falls. Bonds that break elsewhere give another stress.
     """
     last = peak - int((borne[peak - 1 : peak + 1] > 1.0).sum())
     share = np.clip((1.0 - borne[last]) / (borne[last] - borne[last - 1]), 0.0, 1.0)
@@ -142,9 +142,10 @@ def _strength(
     told = functools.partial(seen, p)
     whole = functools.partial(at_zero_rate, told)
     return (
-        Scalar(name, name, "Pa", meaning, whole, exact, exact, _within(bound)),
+        Scalar(name, name, "Pa", meaning, whole, exact, exact, _bounds(bound)),
         Scalar(
-            f"{name} at the slower rate", f"{name}(rate)", "Pa", f"{meaning}, as it is seen",
+            f"{name} at the slower rate", f"{name}(rate)", "Pa", f"{meaning}, as observed at that "
+            "rate",
             functools.partial(told, 1), exact, exact,
             Shown("viscosity adds to it in proportion to the rate of loading"),
         ),
@@ -171,23 +172,23 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if variant.startswith("pulled"):
         failed = tetrahedral_unit.tension_failure(element, d)
         strengths = _strength(
-            "T_u", "tensile strength", _pulled_apart, p, failed.stress,
+            "T_u", "tensile strength", _tensile_strength, p, failed.stress,
             "Eq. 7", lattice_material.tensile_strength(kn, ks, xb, d), 5e-9,
         )  # fmt: skip
     else:
         pressed = 5e-7 * max(1.0, (p["eta"] * p["rate"] / 45.0) ** 2)
         failed = tetrahedral_unit.sliding_failure(element, d)
         strengths = _strength(
-            "C_open", "pressure that opens the base", _opened, p,
+            "C_open", "pressure that opens the base", _opening_strength, p,
             -tetrahedral_unit.opening_failure(element, d).stress,
             "Eq. 8", lattice_material.opening_strength(kn, ks, xb, d), pressed,
         ) + _strength(
             "C_u", "compressive strength", slid, p, -failed.stress,
             "Eq. 14", lattice_material.sliding_strength(fs0, mu_p, d), pressed,
         )  # fmt: skip
-        closed = _parted(p, element, 0.5 * failed.fz * failed.x.dz)
+        closed = _sliding_balance(p, element, 0.5 * failed.fz * failed.x.dz)
     if variant in HURRIED:
-        strengths += (_hurried(variant, p),)
+        strengths += (_at_papers_rate(variant, p),)
     goal = History(BEYOND * abs(failed.strain / p["rate"]), EVERY)
     units = [len(CORNERS) * k for k in range(len(RATES))]
     moved = [Displacement(k + i) for k in units for i in range(3)]
@@ -195,8 +196,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(Ladder(_scene(p), goal, watched, LEVELS), (*strengths, closed))
 
 
-def _parted(p: Parameters, element: Element, held: float) -> Scalar:
-    """The quantity `balance` of units that slide; held: what one stores until then [J]."""
+def _sliding_balance(p: Parameters, element: Element, held: float) -> Scalar:
+    """The quantity `balance` of units that slide; held: energy that one stores until then [J]."""
     coarsest = float(RUNGS[0].dt or 0.0)
     ends = sum(
         sliding_unit.unexplained_energy(
@@ -214,9 +215,9 @@ def _parted(p: Parameters, element: Element, held: float) -> Scalar:
     })  # fmt: skip
 
 
-def _hurried(variant: str, p: Parameters) -> Scalar:
-    """The strength at the paper's own rate and viscosity, over the paper's formula, less 1."""
-    seen, name = (_pulled_apart, "T_u") if variant.startswith("pulled") else (slid, "C_u")
+def _at_papers_rate(variant: str, p: Parameters) -> Scalar:
+    """The strength at the paper's own rate and viscosity, over the paper's formula, minus 1."""
+    seen, name = (_tensile_strength, "T_u") if variant.startswith("pulled") else (slid, "C_u")
     printed = (
         lattice_material.tensile_strength(p["kn"], p["ks"], p["xb"], p["d"])
         if name == "T_u"
@@ -224,12 +225,12 @@ def _hurried(variant: str, p: Parameters) -> Scalar:
     )
     return Scalar(
         f"{name} at the paper's rate", f"{name}(rate)/{name} - 1", "",
-        f"{name} as it is seen at the paper's rate, over its formula, less 1",
+        f"{name} as observed at the paper's rate, over its formula, minus 1",
         lambda run: seen(p, 1, run) / printed - 1.0, None, 1.0, Shown(OWN[name]),
     )  # fmt: skip
 
 
-HURRIED = {  # the part of V in Eq. 28: a unit's share of the lattice, or its own hull
+HURRIED = {  # V of Eq. 28 over d^3: a unit's share of the lattice, or its own hull
     "pulled-share": 1 / np.sqrt(2),
     "pressed-share": 1 / np.sqrt(2),
     "pressed-hull": 1 / (6 * np.sqrt(2)),
@@ -245,26 +246,27 @@ def _of_paper(variant: str) -> dict[str, float]:
 
 
 OWN = {
-    "T_u": "the paper's own run is 0.011 % below, by steps of 0.075 %",
-    "C_open": "the paper gives no run of its own",
-    "C_u": "the paper's own run is 1.73 % below, with its viscosity at its rate",
+    "T_u": "the paper's own run is 0.011 % below Eq. 7, in steps of 0.075 %",
+    "C_open": "the paper shows no run of its own",
+    "C_u": "the paper's own run is 1.73 % below Eq. 14, with its viscosity and at its rate",
 }
 BOOKED = (
     "the energy of breaking bonds is recorded as the scheme computes it; the rest is due to bonds "
     "that rotate and contacts that close within a step"
 )
 PARTED = (
-    f"{BOOKED}; and a contact that ends within a step gives and takes what its springs do not "
-    "hold, by the squares of the step and of the rate at which the unit flies apart"
+    f"{BOOKED}. A contact that opens within a step also adds or removes energy that its springs do "
+    "not store, in proportion to the squares of the step and of the speed at which the unit flies "
+    "apart"
 )
 FEW = "in tension the bonds of the unit hardly rotate"
 RATE = (
     "the strength at zero rate is extrapolated from two rates; the error is of second order in the "
-    "rates, larger on the longer way under pressure, and does not depend on the step"
+    "rates, larger in compression, where failure comes later, and does not depend on the step"
 )
 
 
-def _within(bound: float) -> Judge:
+def _bounds(bound: float) -> Judge:
     return Exact({m: Tolerance(bound, RATE) for m in (Method.SECOND_ORDER, Method.FIRST_ORDER)})
 
 
@@ -276,9 +278,9 @@ CASE = Case(
     title="Four bonded elements to failure",
     source=Source(
         *LIU_2017,
-        "Judged by the balances at finite displacement where a bond fails (Eq. 1), not by Eqs. 7, "
-        "8 and 14 for small strains, which are shown. The paper moves the top in steps; here it is "
-        "carried steadily, at two rates. Viscosity and rates are chosen.",
+        "The reference is equilibrium at finite displacement where a bond fails (Eq. 1), not Eqs. "
+        "7, 8 and 14 for small strains, which are shown. The paper moves the top in steps; here it "
+        "moves steadily, at two rates. Viscosity and rates are chosen.",
     ),
     parameters=(
         *BRITTLE,
@@ -287,11 +289,11 @@ CASE = Case(
     ),
     variants=(
         Variant(
-            "pulled", "to where the inclined bonds open", "X_n1 = xb on the path of balances",
+            "pulled", "to where the inclined bonds open", "pulled until the inclined bonds open",
             inert=frozenset({"m", "eta", "rate", "fs0", "mu_p"}),
         ),
         Variant(
-            "pressed", "to where the base opens, and on to where the inclined bonds slide",
+            "pressed", "compressed until the base opens, and on until the inclined bonds slide",
             "X_n2 = xb; then, without the base, |F_s1| = fs0 - mu_p F_n1", {"rate": -7.5},
             inert=frozenset({"m", "eta", "rate"}),
         ),

@@ -46,11 +46,12 @@ from vv.case import (
 from vv.scene import Vector
 
 STEP = 2e-8  # s: the coarsest
-REST = 6e-5  # s, or a multiple of it that viscosity needs
+REST = 6e-5  # s: the time to rest, or a multiple that viscosity needs
 LONGER = 4  # rotation is damped only through the motion of the centres
-ALMOST = 3e-9  # of the displacement: what that may still move, a third of what is allowed
-STALLS = 0.5 * 2.0**-52 / 1e-8  # what rounding stops short of, over what rest is judged by
-DECAYS = 30.0  # to a part of 1e-13 of what is thrown off balance
+ALMOST = 3e-9  # of the displacement: what rotation may still add, a third of the tolerance
+# rounding of positions at which motion stops, over the tolerance of rest
+STALLS = 0.5 * 2.0**-52 / 1e-8
+DECAYS = 30.0  # time constants until 1e-13 of a disturbance is left
 
 
 def _force(p: Parameters, ks: float) -> float:
@@ -68,16 +69,19 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
     load[0, 2] = fz
     scene = unit(p, p["eta"], free=BASE, load=load, free_spin=np.full((4, 3), turning))
     state = tetrahedral_unit.loaded(fz, kn=kn, ks=ks, d=d)
-    times, longer = max(LONGER, _turning(p, load)) if turning else _stretch(p, ks), slower(p)
+    times, longer = (
+        max(LONGER, _rest_multiple_turning(p, load)) if turning else _rest_multiple(p, ks),
+        slower(p),
+    )
     duration = REST * math.ceil(times / max(1.0, longer)) * max(1.0, longer)
     study = Ladder(scene, History(duration, duration / 10), SEEN, levels(STEP * longer))
-    off = _detour.left_off(p, ks, fz, STEP * longer)
+    off = _detour.rest_errors(p, ks, fz, STEP * longer)
     return Trial(study, _measured(kn, ks, d, state, fz, off))
 
 
-def _turning(p: Parameters, load: Vector) -> int:
-    """As `_stretch`, of elements that turn, whose rotation fades by what it moves the centres."""
-    _stretch(p, 0.0)
+def _rest_multiple_turning(p: Parameters, load: Vector) -> int:
+    """As `_rest_multiple`, for elements whose rotation only the motion of centres damps."""
+    _rest_multiple(p, 0.0)
     if p["gamma"] == 0.0:
         return 1
     kn, d, m, eta = (p[name] for name in ("kn", "d", "m", "eta"))
@@ -86,11 +90,11 @@ def _turning(p: Parameters, load: Vector) -> int:
     return max(1, math.ceil(rest / REST))
 
 
-def _stretch(p: Parameters, ks: float) -> int:
-    """How many times REST the unit needs to come to rest: until its slowest mode has decayed.
+def _rest_multiple(p: Parameters, ks: float) -> int:
+    """The multiple of REST that the unit needs to come to rest, until its slowest mode has decayed.
 
-    Its modes under the load, by the rise of the top and the spread of the base: a mode of the rate
-    w decays as n - sqrt(n^2 - w^2), n = eta/(2 m), or as n where it swings.
+    The modes are those of the rise of the top and the spread of the base: one of frequency w decays
+    at the rate n - sqrt(n^2 - w^2), n = eta/(2 m), or at n where it oscillates.
     """
     if not (p["eta"] > 0 and p["m"] > 0 and p["kn"] > 0):
         raise ValueError(
@@ -105,14 +109,14 @@ def _stretch(p: Parameters, ks: float) -> int:
     if STEP * slower(p) * returns * abs(p["strain"]) < STALLS:
         raise ValueError(
             f"m = {p['m']!r} kg, kn = {p['kn']!r} N/m, eta = {p['eta']!r} N s/m: the unit creeps "
-            f"to rest at {returns:.3g} 1/s, so slowly that places, which are rounded in each step, "
-            "stop before that"
+            f"to rest at {returns:.3g} 1/s, so slowly that the rounding of positions in each step "
+            "stops it before"
         )
     return max(1, int(np.ceil(DECAYS / slowest / REST)))
 
 
 def _measured(
-    kn: float, ks: float, d: float, state: State, fz: float, off: Mapping[str, _detour.Off]
+    kn: float, ks: float, d: float, state: State, fz: float, off: Mapping[str, _detour.RestErrors]
 ) -> tuple[Quantity, ...]:
     """E, nu and displacements at rest: at finite strain, and to first order in the strain."""
     E, nu = lattice_material.youngs_modulus(kn, ks, d), lattice_material.poissons_ratio(kn, ks)
@@ -125,8 +129,8 @@ def _measured(
             functools.partial(observe, name, fz, d), value, scale, judge(off[name]),
         )
         for where, mark, sign, observe, (modulus, poisson, x), judge in (
-            ("as it is", "", "", _observed, path, _at_rest),
-            ("to first order", "-small", " (small strain)", _to_first_order, linear, _small),
+            ("at finite strain", "", "", _observed, path, _rest_bounds),
+            ("to first order", "-small", " (small strain)", _to_first_order, linear, _linear),
         )
         for (name, unit, what), value, scale in zip(
             MEASURED, (modulus, poisson, *x), (modulus, 0.2, *[abs(x.dz)] * 4), strict=True
@@ -136,7 +140,7 @@ def _measured(
 
 MEASURED = (
     ("E", "Pa", "secant modulus, on the original area"),
-    ("nu", "", "secant ratio of strains, negated; over 1/5"),
+    ("nu", "", "secant ratio of strains, negated; its error is relative to 1/5"),
     ("dz", "m", "displacement of the top"),
     ("X_n1", "m", "stretch of an inclined bond"),
     ("X_s1", "m", "displacement across an inclined bond"),
@@ -155,12 +159,12 @@ def _across(x: Displacements, d: float) -> float:
 
 
 def _observed(name: str, fz: float, d: float, run: Run) -> float:
-    """A quantity at the end of a run, by the bonds as they then are."""
+    """A quantity at the end of a run, by the deformed bonds."""
     return as_it_is(name, fz, d, seen_at(run, -1))
 
 
 def _to_first_order(name: str, fz: float, d: float, run: Run) -> float:
-    """A quantity at the end of a run, by the bonds as they were."""
+    """A quantity at the end of a run, by the undeformed bonds."""
     u = seen_at(run, -1)
     n, moved = moved_ends(d, u)
     stretch = np.einsum("bk,bk->b", n, moved)
@@ -176,19 +180,20 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 SETTLED = (
-    "the state of rest depends on no step; on the way to it the unit leaves the path of a "
-    "slow load, and the incremental shear spring keeps what the swings of its two modes add up to, "
-    "and as much as it is half a step late where it takes the length of a bond at a step's end"
+    "the state of rest does not depend on the step. Before it comes to rest the unit oscillates "
+    "about the path of a slow load, and the incremental shear spring keeps what the oscillations "
+    "of the two modes add up to; schemes that use the length of a bond at the end of a step add an "
+    "error of half a step"
 )
 BY_DESIGN = "the equilibrium path and its linearisation differ by about the strain, 1e-6 or 1e-5"
 LEANING = (
-    "contacts that stand for bonds overlap by 1e-4, and their normal force turns with them, which "
-    "changes E by 0.66 times that and nu by 1.4 times"
+    "contacts that represent bonds overlap by 1e-4, and their normal force rotates with them: this "
+    "changes E by 0.66 times that, and nu by 1.4 times"
 )
 
 
-def _at_rest(off: _detour.Off) -> Judge:
-    """How an answer at rest is judged by the equilibrium path, where a swing leaves it off."""
+def _rest_bounds(off: _detour.RestErrors) -> Judge:
+    """The bounds of the state of rest against the path; off: the errors by oscillation."""
     kept = min(1e-8 + 1.1 * off.kept, LARGEST_TOLERANCE)
     settled = Tolerance(kept, SETTLED, late=1.1 * off.late / off.dt)
     return Exact(
@@ -204,8 +209,8 @@ def _at_rest(off: _detour.Off) -> Judge:
     )
 
 
-def _small(_: _detour.Off) -> Judge:
-    """How an answer at rest is judged by Eqs. 2 to 6."""
+def _linear(_: _detour.RestErrors) -> Judge:
+    """The bounds of the state of rest against Eqs. 2 to 6."""
     return Exact(
         {Method.LINEARISED: Tolerance(1e-12, "Eqs. 2a-d, 4 and 6 are linear, to rounding")},
         not_judged=dict.fromkeys(set(Method) - {Method.LINEARISED}, BY_DESIGN),
@@ -214,8 +219,8 @@ def _small(_: _detour.Off) -> Judge:
 
 PATH = "3 (Fn1 cos a + Fs1 sin a) = Fz, Fn1 sin a - Fs1 cos a + sqrt3 Fn2 = 0, S' = -L a'"
 LOADED = {
-    "kn": "the load is that of the strain, and grows with kn: the unit deforms alike; a code with "
-    "the load right and kn wrong is 1 % off in E",
+    "kn": "the load is that of the given strain and grows with kn, so that the unit deforms alike; "
+    "a code with the right load whose kn is wrong by 1 % has an error of 1 % in E",
 }
 IN_BALANCE = frozenset({"m", "eta"})
 GAMMAS = (0.0, 0.25, 0.5, 1.0)
@@ -259,7 +264,7 @@ VARIANTS = (
         inert=frozenset({"gamma"}),
     ),
     Variant(
-        "turned", "rotating as a whole: elements that cannot rotate resist it, an artefact",
+        "turned", "rotation as a whole, which elements that cannot rotate resist: an artefact",
         "energy 2 ks d^2 a^2 at an angle a, which oscillates at 2 sqrt(ks/m)",
         {"eta": 0.0},
     ),
@@ -270,9 +275,9 @@ CASE = Case(
     source=Source(
         *LIU_2017,
         "E and nu are judged by the equilibrium path of the incremental shear spring, not by the "
-        "small-strain Eqs. 2 to 6, from which it differs by half the strain and which stand "
-        "beside. The paper moves the top in steps; here it bears a dead load, and tetrahedral-path "
-        "goes on to larger strains. The viscosity that brings the unit to rest is chosen.",
+        "small-strain Eqs. 2 to 6, which differ from it by half the strain and are shown too. The "
+        "paper moves the top in steps; here it bears a dead load, and tetrahedral-path goes on to "
+        "larger strains. The viscosity that brings the unit to rest is chosen.",
     ),
     parameters=(
         *ELASTIC,

@@ -60,15 +60,16 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if variant == "slowed":
         return _slowed(p, goal)
     if p["eta"]:
-        raise ValueError(f"eta = {p['eta']!r} N s/m; the variant 'slowed' alone has drag")
+        raise ValueError(f"eta = {p['eta']!r} N s/m; only the variant 'slowed' has drag")
     return _spinning(p, goal) if variant == "spinning" else _along(p, goal, variant == "hung")
 
 
 def _along(p: Parameters, goal: History, held: bool) -> Trial:
-    """The row of three, each on a bond with either other one, free along it."""
+    """The row of three spheres, each bonded to both others, free to move along the row."""
     row = _row(p, TRIANGLE)
     free, thrown = np.outer(np.ones(3, bool), X > 0), p["v"] * THROWN
-    if held:  # along the row; a sphere that is free nowhere has no reaction in some codes
+    # along the row only: some codes give no reaction of a sphere that is locked in all directions
+    if held:
         free[0], thrown[0] = [False, True, False], 0.0
     scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
     assert scene.bonds is not None
@@ -99,9 +100,9 @@ def _along(p: Parameters, goal: History, held: bool) -> Trial:
 
 
 def _slowed(p: Parameters, goal: History) -> Trial:
-    """The row of three, along which drag slows it."""
+    """The row of three spheres, slowed by drag along the row."""
     if p["g"]:
-        raise ValueError(f"g = {p['g']!r} m/s2; what drag slows has no weight here")
+        raise ValueError(f"g = {p['g']!r} m/s2; the variant 'slowed' has no gravity")
     row, thrown = _row(p, TRIANGLE), p["v"] * THROWN
     free = np.outer(np.ones(3, bool), X > 0)
     scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
@@ -126,7 +127,7 @@ def _slowed(p: Parameters, goal: History) -> Trial:
 
 
 def _spinning(p: Parameters, goal: History) -> Trial:
-    """The line of four, each on its neighbours, which spin about the line as they swing."""
+    """A line of four bonded spheres that spin about it and oscillate across it."""
     row, spin, aside = _row(p, LINE), p["spin"] * SPIN, p["v"] * ASIDE
     free = np.ones((4, 3), bool)
     scene = _scene(
@@ -152,7 +153,7 @@ def _spinning(p: Parameters, goal: History) -> Trial:
 
 
 def _unit(p: Parameters) -> float:
-    """How long the lightest of them takes for a radian on its stiffest spring [s]."""
+    """The time in which the lightest sphere advances by a radian on the stiffest spring [s]."""
     return float(np.sqrt(p["m"] / max(p["kn"], p["ks"])))
 
 
@@ -162,12 +163,12 @@ def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
 
 
 def _judge(p: Parameters, turned: float) -> Exact:
-    """turned: by what part shears turned by steps of first order grow, over the step [1/s]."""
+    """turned: relative growth of shears that a step rotates to first order, over the step [1/s]."""
     coarsest = COARSEST * _unit(p)
     second = Tolerance(8e-3, AHEAD + TURNED, dt=coarsest, order=2, floor=1e-7, late=turned)
     late = Tolerance(3e-2, "weight or drag that acts half a step late shifts the phase of "
                      "oscillations by w dt/2", dt=coarsest, order=1)  # fmt: skip
-    exact = Tolerance(1e-11, "no event: modes, to rounding")
+    exact = Tolerance(1e-11, "the answer is a sum of modes without events, known to rounding")
     return Exact({
         Method.EXACT: exact,
         Method.LINEARISED: exact,
@@ -176,15 +177,15 @@ def _judge(p: Parameters, turned: float) -> Exact:
     }, not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS))  # fmt: skip
 
 
-COARSEST = 0.05  # of the unit
-OTHERS = "the phase advance per step is that of a leapfrog"
+COARSEST = 0.05  # of the time that `_unit` returns
+OTHERS = "the bound is that of the phase of a leapfrog"
 AHEAD = (
-    "the phase of a leapfrog is ahead by (w dt)^2/24, of some 60 radians in the fastest mode, "
-    "which is a third of what swings"
+    "the phase of a leapfrog is ahead by (w dt)^2/24 of some 60 radians in the fastest mode, which "
+    "is a third of the oscillation"
 )
 TURNED = (
-    "; turned with its bond's twist W by a step of first order, as in some codes, a shear grows by "
-    "(W dt)^2/2 a step"
+    "; some codes rotate the shear with the twist W of its bond to first order, by which it grows "
+    "by (W dt)^2/2 a step"
 )
 MODES = "M u'' + K u = f, exactly in its modes"
 CASE = Case(
@@ -194,38 +195,39 @@ CASE = Case(
         "Goldstein (1980), Classical mechanics, 2nd ed., Addison-Wesley",
         "",
         "Chapter 6, small oscillations. Masses, radii, lengths and stiffnesses all differ, and "
-        "neither bodies nor bonds are numbered along the row, so that no two of them can be taken "
-        "for one another unseen. Spheres that spin about the row turn the shear of their bonds "
-        "with the mean of their spins; what swings across it is small and linear.",
+        "neither bodies nor bonds are numbered along the row, so that a mix-up of any two is seen. "
+        "Spheres that spin about the row rotate the shear of their bonds with the mean of their "
+        "spins; the oscillation across the row is small and linear.",
     ),
     parameters=(
-        Parameter("m", 1.0, "kg", "mass of the lightest"),
+        Parameter("m", 1.0, "kg", "mass of the lightest sphere"),
         Parameter("kn", 1e4, "N/m", "stiffness of the softest bond"),
-        Parameter("ks", 4e3, "N/m", "stiffness across the softest in that"),
-        Parameter("v", 0.1, "m/s", "speed of the first at the start"),
-        Parameter("stretch", 1e-3, "m", "of the first bond at the start"),
+        Parameter("ks", 4e3, "N/m", "shear stiffness of the bond that is softest in shear"),
+        Parameter("v", 0.1, "m/s", "speed of the first sphere at the start"),
+        Parameter("stretch", 1e-3, "m", "stretch of the first bond at the start"),
         Parameter("g", 9.81, "m/s2", "gravity along the row"),
-        Parameter("spin", 5.0, "1/s", "of the first about the row"),
+        Parameter("spin", 5.0, "1/s", "spin of the first sphere about the row"),
         Parameter("eta", 0.0, "N s/m", "drag on every sphere"),
         Parameter("duration", 0.3, "s", "time simulated"),
     ),
     variants=(
         Variant(
-            "row", "three, each bonded to either other one, free along the row", MODES,
+            "row", "three spheres, each bonded to both others, free to move along the row", MODES,
             {"g": 0.0, "stretch": 0.0}, frozenset({"ks", "spin"}),
         ),
         Variant(
             "hung", "the same, hung from the first", MODES, inert=frozenset({"ks", "spin"}),
         ),
         Variant(
-            "slowed", "three, each bonded to either other one, slowed by drag along the row",
-            "x' = A x for places and speeds, x = exp(A t) x(0)",
+            "slowed", "three spheres, each bonded to both others, slowed by drag along the row",
+            "x' = A x for positions and velocities, x = exp(A t) x(0)",
             {"g": 0.0, "eta": 20.0}, frozenset({"ks", "spin"}),
         ),
         Variant(
             "spinning", "a row of four spheres, each bonded to its neighbours, that spin and "
                         "oscillate sideways",
-            "x' = A x for places, velocities, spins across and shears, x = exp(A t) x(0)",
+            "x' = A x for positions, velocities, spins across the row and shears, x = exp(A t) "
+            "x(0)",
             {"v": 1e-4, "stretch": 0.0, "g": 0.0}, frozenset({"kn"}),
         ),
     ),

@@ -28,7 +28,7 @@ def test_weak_bonds_are_seen_to_slide_where_they_do(tmp_path: Path) -> None:
     ("changes", "why"),
     [
         ({"fs0": 11.3, "mu_p": 0.17}, "bonds slide below the pressure that opens the base"),
-        ({"fs0": 10.4, "mu_p": 0.36, "ks": 1.04e7}, "the swing as the base opens makes"),
+        ({"fs0": 10.4, "mu_p": 0.36, "ks": 1.04e7}, "the oscillation after the base opens makes"),
     ],
 )
 def test_bonds_that_slide_as_the_base_opens_are_refused(

@@ -34,7 +34,7 @@ def test_what_a_spring_keeps_of_the_way_to_rest_is_the_error_and_within_its_tole
     trial, ks = CASE.declare("pulled", p), p["gamma"] * p["kn"]
     knobs = trial.study.rungs[Level.QUICK][0]
     run = dem.solve_default(trial.study.ask(knobs))
-    off = _detour.left_off(p, ks, tetrahedral_unit._force(p, ks), trial.study.ask(knobs).dt)
+    off = _detour.rest_errors(p, ks, tetrahedral_unit._force(p, ks), trial.study.ask(knobs).dt)
     for quantity in trial.quantities[: len(off)]:
         found, _ = measured(run, quantity, Method.SECOND_ORDER, knobs)
         assert found.verdict is Verdict.PASS
@@ -56,5 +56,5 @@ def test_a_unit_that_nothing_brings_to_rest_is_refused() -> None:
 def test_a_unit_that_rounding_of_places_stops_on_its_way_to_rest_is_refused(
     given: dict[str, float],
 ) -> None:
-    with pytest.raises(ValueError, match="rounded in each step, stop before that"):
+    with pytest.raises(ValueError, match="rounding of positions in each step stops it"):
         CASE.declare("pulled", {**CASE.defaults("pulled"), **given})
