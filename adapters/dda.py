@@ -33,8 +33,8 @@ OBSERVABLES = frozenset({Displacement, Velocity, Reaction, Impulse, Strain})
 SCHEMES = (
     Scheme(
         "default",
-        "implicit step of DDA, open-close iteration in which friction is iterated to "
-        "convergence too; springs ks = 25 kn start with the loads and bear friction in slip too",
+        "implicit step of DDA; the open-close iteration also converges friction; springs with ks "
+        "= 25 kn carry the loads at the start, and friction while contacts slip",
         Method.PENALTY,
         TERMS,
         KNOBS,
@@ -42,11 +42,11 @@ SCHEMES = (
     ),
     Scheme(
         "published",
-        "as Yagoda-Biran & Hatzor (2016) ran it: friction of the iteration before, six "
-        "iterations at most before a step is cut, 2 s of gravity before a drive sets in, springs "
-        "ks = 0.4 kn that start unloaded and are let go by every slip, "
-        "rotations to first order, without gyroscopic torque, strains that do not turn with their "
-        "block; dynamic parameter 1",
+        "as run by Yagoda-Biran & Hatzor (2016): friction from the previous iteration, at most "
+        "six iterations before a step is halved, 2 s of gravity before shaking starts, springs "
+        "with ks = 0.4 kn that start unloaded and are reset by every slip, rotations to first "
+        "order without gyroscopic torque, strains that do not rotate with their block; dynamic "
+        "parameter 1",
         Method.LAGGING,
         TERMS,
         KNOBS,
@@ -54,8 +54,8 @@ SCHEMES = (
     ),
     Scheme(
         "lagged",
-        "default but for friction, whose normal force and direction are those of the iteration "
-        "before: what the lag alone does",
+        "default except for friction, whose normal force and direction are those of the previous "
+        "iteration: this shows the effect of the lag alone",
         Method.LAGGING,
         TERMS,
         KNOBS,
@@ -63,26 +63,30 @@ SCHEMES = (
     ),
     Scheme(
         "generalised-alpha",
-        "default but for inertia, stepped by generalised alpha (Chung and Hulbert 1993) of "
-        "spectral radius 1/2: second order in dt, a swing that steps resolve is hardly damped, "
-        "and of one that they do not a step leaves half",
+        "default except for inertia, integrated by generalised alpha (Chung and Hulbert 1993) "
+        "with spectral radius 1/2: second order in dt; oscillations that steps resolve are hardly "
+        "damped, others are halved by every step",
         Method.DAMPED,
         TERMS - {Term.ROTATION},
         KNOBS,
         observables=OBSERVABLES,
-        why_not={Term.ROTATION: "arms and normals are those of a step's begin, of first order"},
+        why_not={
+            Term.ROTATION: "contact points and normals are those at the beginning of a step, "
+            "which is of first order"
+        },
     ),
     Scheme(
         "augmented-lagrangian",
-        "rigid contact: multipliers take up the forces of all springs, along and across, until "
-        "gaps and slips are nil (Lin, Amadei, Jung and Dwyer 1996); a step hands on the velocity "
-        "of its middle, so that a blow leaves no rebound",
+        "rigid contact: multipliers take over the forces of all springs, until gaps and slips are "
+        "zero (Lin, Amadei, Jung and Dwyer 1996); a step starts from the velocity at the middle "
+        "of the previous one, so that impacts have no rebound",
         Method.FIRST_ORDER,
         TERMS - {Term.STRAIN, Term.STRAINED_START},
         KNOBS,
         observables=OBSERVABLES - {Strain},
         why_not=dict.fromkeys(
-            (Term.STRAIN, Term.STRAINED_START), "velocities of middles lag, which damps strains"
+            (Term.STRAIN, Term.STRAINED_START),
+            "velocities are those at the middle of a step, and this lag damps strains",
         ),
     ),
 )

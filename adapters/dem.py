@@ -42,7 +42,7 @@ KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
         "default",
-        "leapfrog from a centred start, drag at the mean of the velocities around it",
+        "leapfrog with a centred start, and drag at the mean of the velocities before and after",
         Method.LEAPFROG,
         TERMS | {Term.FLUID},
         KNOBS,
@@ -52,8 +52,9 @@ SCHEMES = (
     ),
     Scheme(
         "published",
-        "leapfrog of Li et al. (2018), Eqs. 4-12: drag of the previous mean velocity, which is "
-        "the initial one at first; a start under force is half a step late for the same reason",
+        "leapfrog of Li et al. (2018), Eqs. 4-12: drag is taken from the previous mean velocity, "
+        "at first from the initial one; a start under force is half a step late for the same "
+        "reason",
         Method.LEAPFROG,
         TERMS,
         KNOBS,

@@ -16,10 +16,9 @@ from vv.records.reading import rung
 
 LONG = 60  # characters of an explanation that a page gives once
 LAWS = {  # of ledgers -> what a breach of it is, before the number
-    "energy created": "Energy not conserved: created",
     "energy that no term explains": "Energy not accounted for:",
-    "energy that comes from nowhere": "Energy not conserved: created",
-    "momentum beside the forces": "Momentum changes without a force: by",
+    "energy created": "Energy not conserved: created",
+    "error of the momentum balance": "Momentum changes without a force: by",
     "penetration": "Bodies go into each other: by",
     "residual of contact": "Contact not solved: residual",
     "Coulomb: friction beyond mu N": "Coulomb's law broken: friction beyond mu N by",

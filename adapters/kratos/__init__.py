@@ -15,7 +15,7 @@ from vv.scene import Term, why_load_is_no_lock, with_loads_for_locks
 
 DEFAULT = Scheme(
     "default",
-    "velocity Verlet for places, rotation by direct integration; linear springs of given "
+    "velocity Verlet for translations, direct integration of rotations; linear springs of given "
     "stiffness or contacts by Hertz, and Coulomb friction",
     Method.LEAPFROG,
     frozenset(
@@ -40,7 +40,7 @@ NOTES = (
     "law DEM_D_Linear_Custom_Constants, its stiffnesses as properties of the contacts, or "
     "DEM_D_Hertz_viscous_Coulomb, by a material whose contacts have these moduli",
     "masses and inertias as given, weights and loads as one external force on each sphere",
-    "the force at t = 0 stated for the first half step",
+    "the force at t = 0 given for the first half step",
     "each wall a rigid face of four corners, far larger than the scene",
 )
 

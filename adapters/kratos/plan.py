@@ -48,7 +48,10 @@ def _no_material(contact: Contact) -> str | None:
     law = contact.hertz
     if law is None or (3 * law.shear_modulus < law.modulus and _poisson(law) < 0.5):
         return None
-    return "Kratos takes materials, and none with a ratio of Poisson's has these moduli of contacts"
+    return (
+        "Kratos derives contacts from materials, and none with a possible Poisson's ratio has "
+        "these moduli"
+    )
 
 
 def plan(ask: Ask) -> dict[str, Any]:

@@ -65,7 +65,7 @@ SCHEMES = (
     Scheme(
         OVERLAPPED,
         f"bonds as contacts of spheres that overlap by {OVERLAP:g} of their distance from the "
-        "start, in unyielding friction, what they push with cancelled by dead loads: a surrogate",
+        "start, with friction that never slips; dead loads cancel the contact forces: a surrogate",
         Method.PENALTY,
         ON_BONDS,
         why_not=NO_STRENGTH,

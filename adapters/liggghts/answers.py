@@ -62,7 +62,7 @@ def _lost(written: Vector, setup: Setup, times: Vector) -> str | None:
     if not gone.size:
         return None
     return (
-        f"{int(written[gone[0], 1])} of {count} spheres are where they may be at t = "
+        f"{int(written[gone[0], 1])} of {count} spheres are left at t = "
         f"{times[gone[0] + 1]:.6g} s; others went through a wall, or farther from the start than "
         "ten radii and twice their free paths"
     )

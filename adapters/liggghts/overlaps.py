@@ -21,7 +21,9 @@ ALIKE = 1e-9  # relative difference up to which bonds count as alike
 USED = 0.5  # the part of the overlap that a stretch may use up
 APART = 1.01  # in bond lengths: the least distance of spheres without a bond
 NO_STRENGTH = {
-    Term.BREAKAGE: "contacts stand in for bonds: they part where an overlap is gone, never slide",
+    Term.BREAKAGE: (
+        "contacts represent bonds: they open when the overlap is used up, and never slip"
+    ),
 }
 
 
@@ -41,14 +43,16 @@ def why_not_overlapped(scene: Scene) -> str | None:
     """Why contacts cannot stand in for the bonds of a scene; None if they can."""
     bonds, place = scene.bonds, scene.spheres.position
     if bonds is None:
-        return "the scene has no bonds, for which overlaps would stand in"
+        return "the scene has no bonds that overlaps could represent"
     i, j = scene.bonded_pairs.T
     distance = np.linalg.norm(place[j] - place[i], axis=1)
     for name, values in (("kn", bonds.kn), ("ks", bonds.ks), ("length", bonds.length)):
         if np.ptp(values) > ALIKE * values[0]:
             return f"bonds differ in {name}; contacts of all spheres have the same"
     if np.abs(distance / bonds.length - 1).max() > ALIKE:
-        return "a bond pulls at t = 0, and contacts that stand in for bonds must all overlap alike"
+        return (
+            "a bond has a force at t = 0, and contacts that represent bonds must all overlap alike"
+        )
     return _crowded(scene, bonds) or _stretched(scene, bonds)
 
 
@@ -57,7 +61,7 @@ def _crowded(scene: Scene, bonds: Bonds) -> str | None:
     apart = np.linalg.norm(place[:, None] - place[None], axis=2)
     near = int(np.triu(apart < APART * bonds.length[0], 1).sum())
     if near > len(bonds):
-        return "spheres without a bond are as near as those on one; they would hold together too"
+        return "spheres without a bond are as close as bonded ones; they would stick together too"
     return None
 
 
@@ -71,6 +75,6 @@ def _stretched(scene: Scene, bonds: Bonds) -> str | None:
     if most > allowed:
         return (
             f"bonds may stretch by {most:.3g} m, and contacts that overlap by {OVERLAP:g} of "
-            f"their length stand in for bonds up to {allowed:.3g} m"
+            f"their length represent bonds up to {allowed:.3g} m"
         )
     return None

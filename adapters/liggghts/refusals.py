@@ -67,13 +67,18 @@ def _spin(scene: Scene, scheme: str) -> str | None:
     if not turning.any():
         return None
     if (turning & ~spheres.free_spin.all(axis=1)).any():
-        return "a sphere may turn about some axes only; LIGGGHTS turns about all or none"
+        return (
+            "a sphere can rotate about some axes only; LIGGGHTS allows rotation about all or none"
+        )
     if (
         np.abs(spheres.inertia / (0.4 * spheres.mass * spheres.radius**2) - 1)[turning] > 1e-12
     ).any():
-        return "a turning sphere's inertia is not 2/5 m r2, which LIGGGHTS takes it to be"
+        return "the inertia of a rotating sphere is not 2/5 m r2, which LIGGGHTS assumes"
     if scheme == HALF_STEP and scene.eta > 0:
-        return "raised masses would raise the inertia of turning spheres too, which drag must not"
+        return (
+            "raised masses would also raise the inertia of rotating spheres, on which drag has no "
+            "effect"
+        )
     return None
 
 

@@ -34,8 +34,8 @@ NOTES = (
     "polyhedra in contact dynamics, contact points found between faces",
     "each wall a box with its velocity prescribed",
     "gravity and loads as forces besides LMGC90's own 9.81 m/s2 along -z of the scene's axes",
-    "what moves at the start is pushed in the first step, and starts v dt/2 ahead",
-    "rotations of a plane scene left free, and so are locks of blocks apart that nothing pushes on",
+    "moving bodies get their velocity by a force in the first step, and start v dt/2 ahead",
+    "rotations of a plane scene left free, as are locks of separate blocks on which no force acts",
 )
 
 

@@ -155,14 +155,14 @@ def check(ask: Plan, bodies: list[Plan], moved: np.ndarray) -> None:
         away = np.abs(np.where(body.get("free", True), 0.0, way)).max()
         if away > DRIFT * ask["size"] and any(body.get("free", ())):
             reason = f"block '{body['name']}' moved {away:.3g} m along a locked direction"
-            raise RunError("error", f"{reason}, which LMGC90 is left free in")
+            raise RunError("error", f"{reason}, which LMGC90 does not lock")
         if ask["walls"] and any(body.get("free_spin", ())):
             slid = float(np.linalg.norm(way - moved[0]))
             if slid > FARTHEST * ask["size"]:
                 raise RunError(
                     "refused",
-                    f"block '{body['name']}' may turn and moves by more than a quarter of its "
-                    "size, away from where its faces met first and LMGC90 looks for contacts",
+                    f"block '{body['name']}' can rotate and moved by more than a quarter of its "
+                    "size, away from the initial contact points, at which LMGC90 detects contacts",
                 )
 
 

@@ -22,7 +22,7 @@ def refusal(ask: Ask) -> str | None:
 def _spins(scene: Scene) -> str | None:
     for block in scene.blocks:
         if block.spin.any():
-            return f"block '{block.name}' spins at the start; LMGC90 is given no spin"
+            return f"block '{block.name}' spins at the start; spins are not passed to LMGC90"
     return None
 
 
@@ -38,7 +38,10 @@ def _densities(scene: Scene) -> str | None:
     for block in scene.blocks:
         mass, inertia = polyhedron_inertia(block.vertices, block.faces, rho)
         if not np.isclose(mass, block.mass, ALIKE, 0):
-            return f"block '{block.name}' has another density than the first; one is given"
+            return (
+                f"block '{block.name}' has another density than the first; LMGC90 takes a single "
+                "one"
+            )
         off = np.abs(inertia - block.inertia).max()
         if block.free_spin.any() and off > ALIKE * np.abs(inertia).max():
             return f"block '{block.name}' has an inertia which is not that of its volume"

@@ -27,7 +27,7 @@ DRIVER = Driver(PythonEnvironment("pybullet", ("pybullet",)), Path(__file__).wit
 NOTES = (
     "boxes are boxes, other blocks the hulls of their vertices, without margins; walls are boxes",
     "a wall that moves is the frame of reference, its acceleration a force on the blocks",
-    "locked rotations have no inverse inertia; along locked directions nothing pushes",
+    "locked rotations have no inverse inertia; no force acts along locked directions",
 )
 
 
@@ -41,9 +41,9 @@ def _why_no_base(ask: Ask) -> str | None:
     scene = ask.scene
     moves = {wall.motion is not None for wall in scene.walls}
     if len(moves) > 1:
-        return "a wall moves and another does not; blocks are seen from one frame"
+        return "a wall moves and another does not; all must move alike, as the frame of the blocks"
     walls = set(scene.body_numbers(Wall)) & {seen.body for seen in ask.observables}
-    return f"body {min(walls)} is a wall, of which nothing is told" if walls else None
+    return f"body {min(walls)} is a wall, for which PyBullet reports nothing" if walls else None
 
 
 def _plan(ask: Ask) -> dict[str, Any]:

@@ -36,14 +36,19 @@ def why_no_shapes(scene: Scene) -> str | None:
     """Why PyBullet cannot lock blocks as the scene does; None if it can."""
     free = [block for block in scene.blocks if block.free.any()]
     if any((block.free != free[0].free).any() for block in free):
-        return "blocks are locked along unlike directions; PyBullet is driven along some for all"
+        return (
+            "blocks are locked along different directions; gravity and shaking act alike on all in "
+            "PyBullet"
+        )
     for block in scene.blocks:
         loose = block.free_spin
         if not loose.any() or loose.all():
             continue
         turned = scene.axes @ block.inertia @ scene.axes.T
         if np.abs(turned[np.ix_(loose, ~loose)]).max() > ALIKE * np.abs(turned).max():
-            return f"block '{block.name}' is locked about an axis that is none of its inertia"
+            return (
+                f"block '{block.name}' is locked about an axis that is no principal axis of inertia"
+            )
     return None
 
 

@@ -62,7 +62,7 @@ SCHEMES = (
     ),
     Scheme(
         POLYHEDRA,
-        "a block as a polyhedron, which the volume of its overlap presses; slow, for short runs",
+        "a block as a polyhedron, with forces from the volume of its overlap; slow, for short runs",
         Method.PENALTY,
         ONE_BLOCK,
         KNOBS,

@@ -34,8 +34,8 @@ def notes(setup: Setup) -> list[str]:
         stand_in = words(setup.clumps, "a clump"), *stand_in[1:]
     if setup.scheme == POLYHEDRA:
         polyhedron = (
-            "the block is a polyhedron, in a frame whose z is the wall's normal; the volume of "
-            "its overlap presses by kn over the area of its face"
+            "the block is a polyhedron, in a frame whose z is the wall's normal; its normal force "
+            "is the volume of its overlap times kn over the area of its face"
         )
         stand_in = polyhedron, *stand_in[1:]
     return [*stand_in, *translated(setup).notes]

@@ -20,12 +20,12 @@ def why_no_polyhedron(ask: Ask) -> str | None:
     """Why YADE's polyhedra cannot represent the scene of an ask; None if they can."""
     scene = ask.scene
     if len(scene.blocks) != 1 or len(scene.walls) != 1 or len(scene.spheres):
-        return "one block on one wall is what was verified of YADE's polyhedra"
+        return "YADE's polyhedra are verified for one block on one wall only"
     (block,) = scene.blocks
     if block.free_spin.any():
         return (
-            f"block '{block.name}' may turn; the force on its overlap acts in one point, and no "
-            "spring can be charged to carry the moment of friction: it would start to rock"
+            f"block '{block.name}' can rotate; the force on its overlap acts at one point, and no "
+            "spring can carry the moment of friction at t = 0: it would start to rock"
         )
     return why_no_spring_scene(ask) or _no_face(block, scene.walls[0]) or _too_long(ask)
 
@@ -33,16 +33,19 @@ def why_no_polyhedron(ask: Ask) -> str | None:
 def _no_face(block: Block, wall: Wall) -> str | None:
     size = float(np.ptp(block.vertices, axis=0).max())
     if float(np.ptp(block.vertices @ wall.normal)) < THINNEST * size:
-        return f"block '{block.name}' is thinner than {THINNEST:g} of its size; YADE may miss it"
+        return (
+            f"block '{block.name}' is thinner than {THINNEST:g} of its size; YADE may miss its "
+            "contacts"
+        )
     if _area(block, wall) == 0:
-        return f"block '{block.name}' stands on no face; an edge has no area to press on"
+        return f"block '{block.name}' does not stand on a face; an edge has no area of contact"
     return None
 
 
 def _too_long(ask: Ask) -> str | None:
     steps = 0 if ask.knobs.dt is None else ask.goal.steps(ask.knobs.dt)
     if steps > MOST_STEPS:
-        return f"{steps} steps of polyhedra, some 0.1 ms each; {MOST_STEPS} are run at most"
+        return f"{steps} steps with polyhedra, of about 0.1 ms each; {MOST_STEPS} are run at most"
     return None
 
 

@@ -56,8 +56,9 @@ def _turns_about_two(scene: Scene) -> str | None:
     for block in scene.blocks:
         if int(block.free_spin.sum()) == 2:
             return (
-                f"block '{block.name}' may turn about two axes; YADE turns a body with a locked "
-                "rotation by moments about the axes of the frame, which change as it turns"
+                f"block '{block.name}' can rotate about two axes; for a body with a locked "
+                "rotation YADE uses moments about the axes of the frame, which change as it "
+                "rotates"
             )
     return None
 
@@ -66,5 +67,5 @@ def _oblique_reaction(ask: Ask) -> str | None:
     if Term.OBLIQUE_LOCK in ask.scene.terms() and any(
         isinstance(seen, Reaction) for seen in ask.observables
     ):
-        return "a reaction to oblique locks, for which dead loads stand, is not known"
+        return "the reaction of oblique locks, which dead loads replace, is not known"
     return None

@@ -22,8 +22,8 @@ from vv.gate.judgement import breaches
 from vv.scene import Contact, Scene, Spheres, Wall
 
 ASK = Ask(incline(Frame(20.0), 15.0), History(0.05, 0.01), (Displacement(1),), Knobs(1e-3, 1e8))
-DDA = ("energy created [J]", "Coulomb: friction beyond mu N [N]", "momentum beside the forces [N]",
-       "penetration [m]")  # fmt: skip
+DDA = ("energy created [J]", "Coulomb: friction beyond mu N [N]",
+       "error of the momentum balance [N]", "penetration [m]")  # fmt: skip
 
 
 def dda(created: float, excess: float, adrift: float, deepest: float) -> list[str]:

@@ -143,7 +143,7 @@ def no_steps(ask: Ask) -> str | None:
 
 def no_drag(scene: Scene) -> str | None:
     """Why a scheme that differs from the default in drag alone is refused: there is no drag."""
-    return None if scene.eta else "nothing drags, so it would repeat what `default` does"
+    return None if scene.eta else "there is no drag, so that the result would be that of `default`"
 
 
 def no_sphere(ask: Ask, scene: Scene) -> str | None:

@@ -16,8 +16,10 @@ from vv.scene import Scene, Term, Vector
 
 FILE = "bonded.data"  # written by each deck just before it is read
 LASTING = {
-    Term.BREAKAGE: "harmonic, its only style of bonds, has no strength; no fix here parts bonds",
-    Term.BOND_SHEAR: "harmonic, its only style of bonds, acts along them",
+    Term.BREAKAGE: (
+        "its only bond style, harmonic, has no strength, and no fix of this build breaks bonds"
+    ),
+    Term.BOND_SHEAR: "its only bond style, harmonic, acts along bonds",
 }
 
 
@@ -29,14 +31,14 @@ def harmonic(deck: Deck, setup: Setup) -> Deck:
     """
     if setup.scene.bonds is None:
         note = (
-            f"bonds as contacts that overlap by {OVERLAP:g} of their length at t = 0, when dead "
-            "loads cancel their push: a surrogate, right to about that part in E"
+            f"bonds as contacts that overlap by {OVERLAP:g} of their length at t = 0, where dead "
+            "loads cancel their forces: a surrogate, accurate to about that fraction in E"
         )
         return deck.with_more(notes=[note])
     made = [*printed(FILE, _data(setup.scene, setup.room.outer)), f"read_data       {FILE}"]
     bonds = tuple(_springs(setup.scene))
     law_note = (
-        "bond_style harmonic, which has no shear spring, of the coefficient kn/2; no pair_style"
+        "bond_style harmonic with the coefficient kn/2, which has no shear spring; no pair_style"
     )
     return replace(
         deck,
@@ -59,7 +61,10 @@ def why_not_harmonic(scene: Scene) -> str | None:
     """Why harmonic bonds cannot represent those of a scene; None if they can, or there are none."""
     beside = scene.terms() & {Term.SPHERE_CONTACT, Term.WALL_CONTACT}
     if scene.bonds is not None and beside:
-        return "contacts beside bonds; LIGGGHTS' harmonic bonds were verified without contacts only"
+        return (
+            "the scene has contacts beside bonds; LIGGGHTS' harmonic bonds are verified without "
+            "contacts only"
+        )
     return None
 
 

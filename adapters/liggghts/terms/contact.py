@@ -33,7 +33,7 @@ def viscosity(deck: Deck, setup: Setup) -> Deck:
         properties=properties,
         damping=f"{deck.law.damping} absolute_damping on limitForce on",
         note="pair gran, hooke/stiffness with absolute damping from the velocity half a step ago, "
-        "its force limited to what pushes",
+        "whose force never pulls",
     )
     return replace(deck, law=law)
 
@@ -42,7 +42,9 @@ def charged(deck: Deck, setup: Setup) -> Deck:
     """Shear springs that start with the friction of the rigid contact that they represent."""
     if not setup.slides:
         return deck
-    note = "shear springs charged by a step, before t = 0, that slides the sphere to its start"
+    note = (
+        "shear springs charged by a step before t = 0, in which the sphere slides to its position"
+    )
     return deck.with_more(charging=_charging(setup), notes=[note])
 
 

@@ -11,12 +11,15 @@ from vv.scene import Scene, Term
 
 NOTE = "pair gran, hertz/stiffness: kn and kt are 4/3 E and 8 G, times sqrt(R U); nothing is damped"
 DAMPED = (
-    "pair gran, hertz, of a material and a coefficient of restitution that have the moduli and the "
-    "damping; from the velocity half a step ago, its force limited to what pushes, and friction by "
+    "pair gran, hertz, with a material and a restitution that give the moduli and the damping; "
+    "damping from the velocity half a step ago, a force that never pulls, and friction limited by "
     "all of the normal force"
 )
 LEAST = 0.05  # LIGGGHTS takes no coefficient of restitution up to this
-HELD = "its shear force is all of the slip times today's stiffness, where increments are asked for"
+HELD = (
+    "its shear force is the total slip times the present stiffness, where a sum of increments is "
+    "needed"
+)
 
 
 def elastic(deck: Deck, setup: Setup) -> Deck:
@@ -67,9 +70,12 @@ def why_not_viscous(scene: Scene) -> str | None:
     if law is None or Term.HERTZ_VISCOSITY not in scene.terms():
         return None
     if 1.2 * law.damping**2 >= 1.0 or restitution(law.damping) <= LEAST:
-        return f"Hertz.damping = {law.damping:.6g}; LIGGGHTS takes no restitution up to {LEAST}"
+        return f"Hertz.damping = {law.damping:.6g}; LIGGGHTS accepts no restitution up to {LEAST}"
     if not scene.spheres.free.any(axis=1).all():
-        return "a sphere cannot move; LIGGGHTS would count its mass in what a viscous contact slows"
+        return (
+            "a sphere cannot move; LIGGGHTS would include its mass in the damping of a viscous "
+            "contact"
+        )
     if (reason := law.why_no_material()) is None and law.material()[1] < 0.0:
-        return f"Poisson's ratio = {law.material()[1]:.6g}; LIGGGHTS takes none below 0"
+        return f"Poisson's ratio = {law.material()[1]:.6g}; LIGGGHTS accepts none below 0"
     return reason

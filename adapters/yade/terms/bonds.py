@@ -23,7 +23,7 @@ def bonds(given: Given, setup: Setup) -> Given:
 
 def sheared_bonds(given: Given, setup: Setup) -> Given:
     """Shear springs of bonds; as for contacts, the velocity in the first step must be zero."""
-    likewise = "spheres on a bond that resists shear likewise start by an impulse"
+    likewise = "spheres on a bond that resists shear also get their velocity by an impulse"
     notes = [likewise] if setup.scene.spheres.velocity.any() else []
     return replace(given.with_more(*notes), pushed=given.pushed | sheared(setup.scene))
 
@@ -60,5 +60,5 @@ def sheared(scene: Scene) -> Mask:
 def why_no_bonds(scene: Scene) -> str | None:
     """Why YADE cannot represent the bonds of a scene; None if it can, or there are none."""
     if scene.bonds is not None and scene.walls:
-        return "walls beside bonds; YADE's law of bonds acts between spheres only"
+        return "the scene has walls beside bonds; YADE's law of bonds acts between spheres only"
     return None

@@ -47,5 +47,5 @@ def oblique_locks(given: Given, setup: Setup) -> Given:
 
 def carried(given: Given, setup: Setup) -> Given:
     """The velocities that bodies keep along their locks."""
-    note = "locked bodies that move do so by YADE's own keeping, from the end of the first step"
+    note = "locked bodies keep a steady velocity in YADE, from the end of the first step"
     return replace(given.with_more(note), carried=setup.scene.locked_velocity)

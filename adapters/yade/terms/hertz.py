@@ -9,7 +9,7 @@ from adapters.yade.setup import Setup
 from vv.scene import Hertz, Scene, Term, initial_normal_forces
 
 NOTES = (
-    "contacts by MindlinPhys, of a material that has their moduli",
+    "contacts by MindlinPhys, with a material that gives their moduli",
     "MindlinPhys gives a wall the radius of the sphere, and a facet twice that; their material is "
     "therefore stiffer, by the square roots of 2 and 3/2 in sum",
     "shear forces grow by increments; on a wall their arm is R - U",
@@ -67,5 +67,7 @@ def why_not_viscous(scene: Scene) -> str | None:
             "viscous elastic spheres overlap at t = 0, where YADE's first step would lack a force"
         )
     if not scene.spheres.free.any(axis=1).all():
-        return "a sphere cannot move; YADE would count its mass in what a viscous contact slows"
+        return (
+            "a sphere cannot move; YADE would include its mass in the damping of a viscous contact"
+        )
     return None

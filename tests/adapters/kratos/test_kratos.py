@@ -71,7 +71,7 @@ def test_without_friction_shear_springs_carry_nothing() -> None:
 def test_moduli_of_contacts_are_refused_if_no_material_has_them(shear: float, fits: bool) -> None:
     reason = ADAPTER.refuses(struck(Hertz(1e9, shear)), "default")
     assert (reason is None) is fits
-    assert fits or "none with a ratio of Poisson's has these moduli" in str(reason)
+    assert fits or "none with a possible Poisson's ratio has these moduli" in str(reason)
 
 
 @only_with(ADAPTER)

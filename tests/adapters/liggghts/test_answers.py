@@ -51,9 +51,7 @@ def test_lost_spheres_and_what_is_not_finite_are_divergence(tmp_path: Path) -> N
     lost, broken = moved(ask), moved(ask)
     lost[4, 1], broken[6, 3] = 0, np.nan
     assert answer(tmp_path, ask, lost).status is Status.DIVERGED
-    assert (
-        "0 of 1 spheres are where they may be at t = 0.05 s" in answer(tmp_path, ask, lost).reason
-    )
+    assert "0 of 1 spheres are left at t = 0.05 s" in answer(tmp_path, ask, lost).reason
     assert "not finite at t = 0.07 s" in answer(tmp_path, ask, broken).reason
 
 

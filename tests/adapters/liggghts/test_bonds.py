@@ -59,10 +59,10 @@ def test_what_contacts_cannot_be_is_refused() -> None:
     scheme = next(s for s in ADAPTER.schemes if s.name == SCHEME)
     lacking = {Term.BREAKAGE, Term.ROTATION, Term.SPHERE_CONTACT, Term.CARRIED}
     assert lacking <= unsupported(scheme, frozenset(Term))
-    assert "stand in for bonds up to 5e-08 m" in refusal(pulled(10.0))
-    assert "a bond pulls at t = 0" in refusal(pulled(bonds=tied(length=0.9999 * D)))
+    assert "represent bonds up to 5e-08 m" in refusal(pulled(10.0))
+    assert "a bond has a force at t = 0" in refusal(pulled(bonds=tied(length=0.9999 * D)))
     assert "bonds differ in ks" in refusal(pulled(bonds=tied(ks=KS * np.linspace(0, 1, 6))))
-    assert "as near as those on one" in refusal(pulled(bonds=tied(pairs=EDGES[:5])))
+    assert "as close as bonded ones" in refusal(pulled(bonds=tied(pairs=EDGES[:5])))
     loose = Spheres(CORNERS[:1], np.zeros((1, 3)), np.ones(1), np.ones(1), np.ones((1, 3), bool))
     assert "no bonds" in refusal(dataclasses.replace(unit(), bodies=(loose,), bonds=None))
     assert refusal(pulled()) == ""

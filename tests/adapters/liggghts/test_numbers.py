@@ -265,7 +265,7 @@ def test_bonds_are_alike_to_a_billionth(off: float, refused: bool) -> None:
         third[2] = [0.0, apart * D, 0.0]
         bonds = tied(pairs=np.array([[0, 1]]))
         said = why_not_overlapped(unit(elements(third), bonds)) or ""
-        assert ("as near as those on one" in said) is near
+        assert ("as close as bonded ones" in said) is near
 
 
 def test_more_than_eight_loads_are_a_property_of_the_atoms_that_carry_them() -> None:

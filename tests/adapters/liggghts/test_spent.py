@@ -108,7 +108,7 @@ def test_viscous_elastic_spheres_are_a_material_and_a_restitution() -> None:
 
 
 @pytest.mark.parametrize(
-    ("shear", "said"), [(1.5e9, None), (1.8e9, "LIGGGHTS takes none below 0"), (2e9, "6 G/E = 2")]
+    ("shear", "said"), [(1.5e9, None), (1.8e9, "LIGGGHTS accepts none below 0"), (2e9, "6 G/E = 2")]
 )
 def test_viscous_contacts_need_a_material_that_is_not_auxetic(
     shear: float, said: str | None

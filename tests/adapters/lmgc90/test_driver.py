@@ -199,8 +199,8 @@ def test_displacements_are_from_the_start_and_velocities_from_places(
         ([0.0, 0.0021, 0.0], "block 'b' moved 0.0021 m along a locked direction"),
         ([0.0, -0.0021, 0.0], "block 'b' moved 0.0021 m along a locked direction"),
         ([0.59, 0.0, 0.0], ""),  # a quarter of 2 m from the wall, which is 0.1 m on
-        ([0.61, 0.0, 0.0], "block 'b' may turn and moves by more than a quarter"),
-        ([-0.41, 0.0, 0.0], "block 'b' may turn and moves by more than a quarter"),
+        ([0.61, 0.0, 0.0], "block 'b' can rotate and moved by more than a quarter"),
+        ([-0.41, 0.0, 0.0], "block 'b' can rotate and moved by more than a quarter"),
         ([-0.39, 0.0, 0.0], ""),
     ],
 )

@@ -87,7 +87,7 @@ def test_a_block_thinner_than_a_tenth_of_its_size_may_pass_unnoticed(
     block: Any = SimpleNamespace(name="thin", vertices=vertices, faces=faces)
     assert ("is thinner than" in (_no_face(block, floor) or "")) is thin
     raised = Wall(np.array([0.0, 0.0, -4.0]), np.array([0.0, 0.0, 1.0]))
-    assert ("stands on no face" in (_no_face(block, raised) or "")) is not thin
+    assert ("does not stand on a face" in (_no_face(block, raised) or "")) is not thin
 
 
 @pytest.mark.parametrize(
@@ -104,7 +104,7 @@ def test_the_limits_of_polyhedra_are_refusals() -> None:
     scene = incline(Frame(20.0), 30.0)
     block = scene.blocks[0]
     long = dataclasses.replace(block_ask(scene), goal=History(100.0, 1.0))
-    assert "steps of polyhedra" in (ADAPTER.refuses(long, POLYHEDRA) or "")
+    assert "steps with polyhedra" in (ADAPTER.refuses(long, POLYHEDRA) or "")
     turning = dataclasses.replace(block, free_spin=np.ones(3, bool))
     low = scene.walls[0].normal
     flat = block.vertices - np.outer(0.95 * (block.vertices @ low), low)

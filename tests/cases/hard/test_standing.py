@@ -148,7 +148,7 @@ def test_an_arch_that_dda_bursts_within_an_output_is_said_to_diverge() -> None:
     )
     run = dda.solve_lagged(ask)
     assert run.status is Status.DIVERGED
-    assert "of motion and springs" in run.reason
+    assert "kinetic and elastic" in run.reason
 
 
 @pytest.mark.parametrize("solve", [dda.solve_default, dda.solve_lagged, dda.solve_published])

@@ -118,8 +118,8 @@ def test_friction_within_mu_n_is_audited_where_it_is_promised() -> None:
         assert seen <= allowed < 1e-3
         assert law not in late.ledger.audits
         for done in (sure.ledger, late.ledger):
-            assert set(done.audits) >= {"momentum beside the forces [N]", "penetration [m]"}
-            adrift, _ = done.audits["momentum beside the forces [N]"]
+            assert set(done.audits) >= {"error of the momentum balance [N]", "penetration [m]"}
+            adrift, _ = done.audits["error of the momentum balance [N]"]
             assert adrift > 0.0  # rounding of a thousand steps: an audit that hears nothing is deaf
     beyond = re.search(r"([0-9.]+) N beyond mu N", late.model.note if late.model else "")
     assert beyond is not None

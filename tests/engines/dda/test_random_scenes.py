@@ -49,7 +49,7 @@ def unended(scene: Scene, dt: float, kn: float, way: Formulation) -> float:
     assert done.ledger is not None
     assert done.ledger.bound is not None
     assert done.ledger.unaccounted <= done.ledger.bound
-    for law in ("Coulomb: friction beyond mu N [N]", "momentum beside the forces [N]"):
+    for law in ("Coulomb: friction beyond mu N [N]", "error of the momentum balance [N]"):
         seen, allowed = done.ledger.audits.get(law, (0.0, 0.0))
         assert seen <= allowed, law
     return float(program.arguments[2][-1, FAILED])

@@ -207,7 +207,7 @@ def test_strain_turns_with_a_step_as_a_tensor_does(axis: int) -> None:
 
 def test_what_would_turn_its_strains_into_locked_directions_is_refused() -> None:
     scene = standing(free=np.array([True, False, True]), free_spin=np.array([True, False, False]))
-    words = "block 'box' strains and turns about axis 0, across which it is free in one direction"
+    words = "block 'box' deforms and can rotate about axis 0, but is free in only one direction"
     for scheme in ADAPTER.schemes:
         assert words in (ADAPTER.refuses(asked(scene, 1e-3, KN, 0.1), scheme.name) or "")
     hard = dataclasses.replace(scene.blocks[0], elastic=None)
@@ -233,7 +233,7 @@ def test_every_other_code_refuses_a_block_that_strains_by_its_terms(code: str) -
 
 def test_nothing_stands_in_for_a_block_that_strains_even_where_terms_are_not_looked_at() -> None:
     ask = asked(standing(), 1e-4, KN, 0.1)
-    words = "block 'box' strains"
+    words = "block 'box' is elastic"
     for why in (why_no_spring_scene, why_no_clump, rigid.refuses, dem.refuses):
         assert words in (why(ask) or "")
     with pytest.raises(ValueError, match=words):

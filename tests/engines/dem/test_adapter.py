@@ -28,7 +28,7 @@ def test_what_cannot_be_run_honestly_is_refused_with_a_reason() -> None:
     spheres = ask.scene.spheres
     turning = dataclasses.replace(spheres, spin=np.full((2, 3), 0.1))
     doubled = dataclasses.replace(spheres, position=np.zeros((2, 3)))
-    scenes = {"locked axis": turning, "one centre": doubled}
+    scenes = {"locked axis": turning, "same centre": doubled}
     for words, bodies in scenes.items():
         scene = dataclasses.replace(ask.scene, bodies=(bodies,))
         run = dem.solve_default(dataclasses.replace(ask, scene=scene))

@@ -59,13 +59,13 @@ def _slides_off(scene: Scene, settling: float) -> str | None:
 def _beyond_multipliers(scene: Scene) -> str | None:
     """Why multipliers are refused: for contact on springs, or several blocks that can rotate."""
     if not scene.contact.rigid:
-        return "multipliers hold gaps at nil, and the scene has contact on springs"
+        return "multipliers keep gaps at zero, but the scene has contact on springs"
     turning = [block.name for block in scene.blocks if block.free_spin.any()]
     if len(turning) < 2:
         return None
     return (
-        f"blocks '{turning[0]}' and '{turning[1]}' turn: among several that do, multipliers at "
-        "redundant points with friction do not always settle"
+        f"blocks '{turning[0]}' and '{turning[1]}' can rotate: with several such blocks, "
+        "multipliers at redundant points with friction do not always converge"
     )
 
 
@@ -76,7 +76,8 @@ def _turns_its_strains_away(scene: Scene) -> str | None:
             across = np.delete(block.free, axis)
             if block.elastic and across.any() and not across.all():
                 return (
-                    f"block '{block.name}' strains and turns about axis {axis}, across which it is "
-                    "free in one direction only: its strains would turn into ones that are locked"
+                    f"block '{block.name}' deforms and can rotate about axis {axis}, but is free "
+                    "in only one direction normal to it: its strains would rotate into locked "
+                    "ones"
                 )
     return None

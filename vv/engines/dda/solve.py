@@ -44,10 +44,10 @@ LEDGER = (
     "load potential",
     "base potential",
     "shaking potential",
-    "given by contacts and inertia found anew",
+    "created by new contacts and inertia",
 )
-SIGNED = "taken by steps of generalised alpha, which give some back"
-LEAPT = "taken by blows, and by steps, whose velocities are those of their middles"
+SIGNED = "numerical dissipation of generalised alpha, of either sign"
+LEAPT = "numerical dissipation of impacts and of steps with velocities at their middle"
 HELD, WORKS = slice(0, 4), slice(7, 12)
 NUMERICAL, CREATED = 5, 12
 EPS = float(np.finfo(float).eps)
@@ -141,7 +141,7 @@ class PreparedBlocks:
     def _start(self) -> str:
         pressed = "pressed by their loads" if self.formulation.pressed else "as placed"
         pressed += ", shear springs charged" if self.formulation.charged else ""
-        pressed += ", multipliers bear forces" if self.formulation.multipliers else ""
+        pressed += ", multipliers carry forces" if self.formulation.multipliers else ""
         settled = f", after {self.settling} steps of gravity alone" if self.settling else ""
         return f"contacts start {pressed}{settled}"
 
@@ -159,7 +159,7 @@ class PreparedBlocks:
         held = energy[row, HELD].sum()
         if not np.isfinite(held):
             return f"{when}: the state is not finite"
-        return f"{when}: {held:.4g} J of motion and springs, over {GAIN:g} times all put in"
+        return f"{when}: {held:.4g} J, kinetic and elastic, exceed {GAIN:g} times all energy put in"
 
     def _ledger(self, energy: Vector, report: Vector) -> Ledger:
         terms = energy[:, :12].copy()
@@ -198,7 +198,7 @@ class PreparedBlocks:
             yield "energy created [J]", (created, rounding)
         if not lags:
             yield "Coulomb: friction beyond mu N [N]", (excess, COULOMB * peak)
-        yield "momentum beside the forces [N]", (adrift, max(MOMENTUM * peak, self._roundings()))
+        yield "error of the momentum balance [N]", (adrift, max(MOMENTUM * peak, self._roundings()))
         smallest = min(size(block) for block in self.ask.scene.blocks)
         yield "penetration [m]", (deepest, REACH * smallest)
 

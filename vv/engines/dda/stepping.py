@@ -38,7 +38,7 @@ def generalised_alpha(radius: float) -> Stepping:
     Chung and Hulbert (1993), Eqs. 17, 20, 25. Raises ValueError for a radius outside 0 to 1.
     """
     if not 0.0 <= radius <= 1.0:
-        raise ValueError(f"radius = {radius!r}; a step keeps a part between 0 and 1 of a swing")
+        raise ValueError(f"radius = {radius!r}; a spectral radius lies between 0 and 1")
     alpha_m, alpha_f = (2.0 * radius - 1.0) / (radius + 1.0), radius / (radius + 1.0)
     shift = alpha_f - alpha_m
     return Stepping(alpha_m, alpha_f, 0.25 * (1.0 + shift) ** 2, 0.5 + shift)

@@ -42,4 +42,4 @@ def why_left_out(scene: Scene, whole: bool) -> str | None:
     if not left:
         return None
     named = ", ".join(sorted(term.value for term in left))
-    return f"the model leaves out what it sees nothing to act on, or to be changed by: {named}"
+    return f"the model would omit terms that have nothing to act on, or no effect: {named}"

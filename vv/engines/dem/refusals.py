@@ -55,7 +55,7 @@ def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
     rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m + eta_n/kn w^2/2" if late else "2/w"
     return (
         f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
-        f"frequency of its contacts; {PACKED * limit:.3g} s is safe however like spheres touch"
+        f"frequency of its contacts; {PACKED * limit:.3g} s is stable however equal spheres touch"
     )
 
 
@@ -75,7 +75,10 @@ def _coincident(scene: Scene) -> str | None:
     same = np.flatnonzero(~np.diff(position[order], axis=0).any(axis=1))
     if len(same):
         first, second = np.sort(order[same[0] : same[0] + 2])
-        return f"spheres {first} and {second} have one centre; a contact needs a normal"
+        return (
+            f"spheres {first} and {second} have the same centre, so that their contact has no "
+            "normal"
+        )
     return None
 
 
@@ -89,8 +92,8 @@ def _rings(scene: Scene, dt: float) -> str | None:
     if dt <= longest:
         return None
     return (
-        f"dt = {dt:.6g} s is beyond {longest:.6g} s = 2 kn/(eta_n w^2), in half of which viscous "
-        "contact stops what approaches; w the highest frequency of its contacts"
+        f"dt = {dt:.6g} s is beyond {longest:.6g} s = 2 kn/(eta_n w^2), in half of which a "
+        "viscous contact stops an approach; w is the highest frequency of its contacts"
     )
 
 

@@ -27,7 +27,7 @@ from vv.standins.stand_in import SpringScene, spring_scene
 FORMS = tuple(Form)  # the columns of a ledger, in their order
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16  # rounding units of the peak energy, allowed per step
-GAINED = "energy that comes from nowhere [J]"
+GAINED = "energy created [J]"
 """Created energy in a scene with bonds: at most (w dt)^2/4 of the peak, or w dt/2 if lagged.
 
 The latter comes from a start half a step late. A contact that closes within a step creates kn (v
@@ -145,8 +145,8 @@ class PreparedSpheres:
         if not np.isfinite(held):
             return f"{when}: the state is not finite"
         return (
-            f"{when}: energy {held:.4g} J of motion and springs from {put_in:.4g} J at the start; "
-            f"the bounds are {GAIN:g} times all that was put in, {BLOW_UP:g} times for m v+^2/2"
+            f"{when}: energy {held:.4g} J, kinetic and elastic, from {put_in:.4g} J at the start; "
+            f"the limits are {GAIN:g} times all energy put in, and {BLOW_UP:g} times for m v+^2/2"
         )
 
     def _ledger(self, path: Vector, energy: Vector) -> Ledger:

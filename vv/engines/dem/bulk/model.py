@@ -124,4 +124,4 @@ def _words(count: int, whole: int, rubs: bool) -> str:
     """The description of the model: how many of all spheres move."""
     words = f"{3 * count * (2 if rubs else 1)} unknowns: {count} free spheres"
     words += " that turn" if rubs else ""
-    return f"{words}, kept by cells" + (f", {whole - count} held" if whole > count else "")
+    return f"{words}, sorted by cells" + (f", {whole - count} held" if whole > count else "")
