@@ -42,8 +42,8 @@ def done(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
     monkeypatch.setattr(converge, "clear", cleared)
     monkeypatch.setattr(converge, "polish", polished)
-    monkeypatch.setattr(converge, "without", lambda p, j, b, v, w: (v.copy(), w.copy()))
-    monkeypatch.setattr(converge, "arranged", lambda *_: (None, BLOCKS))
+    monkeypatch.setattr(converge, "velocities_without", lambda p, j, b, v, w: (v.copy(), w.copy()))
+    monkeypatch.setattr(converge, "band_ordering", lambda *_: (None, BLOCKS))
     return said
 
 
@@ -56,13 +56,13 @@ def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = S
         now[0] = next(rows)
         return sweeps, now[0]
 
-    for name in ("drifted", "carried", "solve_contacts"):
+    for name in ("leap_sweeps", "momentum_sweeps", "solve_contacts"):
         monkeypatch.setattr(converge, name, swept)
-    monkeypatch.setattr(converge, "renewed", lambda *_: now[0])
+    monkeypatch.setattr(converge, "recomputed", lambda *_: now[0])
     return np.ones((3, 3))
 
 
-@pytest.mark.parametrize("way", ["leaping", "in_turns"])
+@pytest.mark.parametrize("way", ["solve_with_leaps", "solve_in_turns"])
 @pytest.mark.parametrize("row", ROWS)
 def test_sweeps_that_are_stuck_far_off_begin_anew_once(
     monkeypatch: pytest.MonkeyPatch, done: list[str], way: str, row: str
@@ -72,7 +72,7 @@ def test_sweeps_that_are_stuck_far_off_begin_anew_once(
     setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
     given = (setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED)
     solve = getattr(converge, way).py_func
-    sweeps, residual = solve(*given, None) if way == "leaping" else solve(*given)
+    sweeps, residual = solve(*given, None) if way == "solve_with_leaps" else solve(*given)
     assert (done, residual) == (wanted, 0.0)
     assert sweeps == STUCK * len(left)
     assert (p == 0.0).all() == ("anew" in wanted)
@@ -82,9 +82,9 @@ def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
     monkeypatch: pytest.MonkeyPatch, done: list[str]
 ) -> None:
     p = sweeping(monkeypatch, [AWAY, AWAY, 0.0], sweeps=STALLED)
-    monkeypatch.setattr(converge, "arranged", lambda *_: (None, CHAIN))
+    monkeypatch.setattr(converge, "band_ordering", lambda *_: (None, CHAIN))
     setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
-    found = converge.in_turns.py_func(  # type: ignore[attr-defined]
+    found = converge.solve_in_turns.py_func(  # type: ignore[attr-defined]
         setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED
     )
     assert (done, found) == (["stiff newton", "stiff newton"], (3 * STALLED, 0.0))

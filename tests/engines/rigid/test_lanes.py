@@ -14,8 +14,8 @@ from vv.engines.kernels.arrays import nil_rows
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
 from vv.engines.rigid.solver.cone import Friction, sweep
-from vv.engines.rigid.solver.lanes import swept
-from vv.engines.rigid.solver.momentum import taken_apart, together
+from vv.engines.rigid.solver.lanes import sweep_batches
+from vv.engines.rigid.solver.momentum import joined, separated
 from vv.engines.rigid.solver.seats import DEPTH, LANES, runs, seated
 from vv.scene import Vector
 
@@ -27,11 +27,11 @@ def _side_by_side(
 ) -> tuple[Index, Vector]:
     p, w = nil_rows(len(joints.first)), nil_rows(len(v))
     batches, layers, place = packed(p, joints, bodies, friction)
-    pairs, velocities = pairs_room(1), together(v, w)
+    pairs, velocities = pairs_room(1), joined(v, w)
     for _ in range(SWEEPS):
-        swept(pairs[0], batches, layers, velocities)
+        sweep_batches(pairs[0], batches, layers, velocities)
     unpacked(p, layers, place)
-    taken_apart(velocities, v, w)
+    separated(velocities, v, w)
     return place, p
 
 

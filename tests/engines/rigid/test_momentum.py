@@ -11,8 +11,8 @@ import pytest
 from vv.engines.kernels.arrays import nil_rows
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.cone import Friction, residual, sweep
-from vv.engines.rigid.solver.drift import drifted
-from vv.engines.rigid.solver.momentum import carried
+from vv.engines.rigid.solver.drift import leap_sweeps
+from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.scene import Vector
 
 TOLERANCE, MOST = 1e-8, 20_000  # m/s; sweeps
@@ -58,9 +58,9 @@ def _solved(
     p, w, sweeps = nil_rows(len(joints.first)), nil_rows(len(v)), 0
     left = residual(p, joints, friction, v, w)
     if leaps:
-        sweeps, left = drifted(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)
+        sweeps, left = leap_sweeps(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)
     elif carries:
-        sweeps, left = carried(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)
+        sweeps, left = momentum_sweeps(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)
     while left > TOLERANCE and sweeps < MOST:
         sweep(p, joints, bodies, friction, v, w)
         left, sweeps = residual(p, joints, friction, v, w), sweeps + 1

@@ -14,7 +14,7 @@ from vv.engines.kernels.arrays import nil_rows
 from vv.engines.rigid.general.converge import polish
 from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.banded import arranged, numbered, width
+from vv.engines.rigid.solver.banded import band_ordering, equation_numbers, half_width
 from vv.engines.rigid.solver.cone import Friction, residual, sweep
 from vv.scene import Vector
 
@@ -26,7 +26,7 @@ def _solved(
 ) -> tuple[int, float]:
     """Sweeps, with Newton steps after every sixty if they are asked for; and what is left."""
     p, blocks = nil_rows(len(joints.first)), len(v) - 1
-    place, _ = arranged(joints, bodies, blocks)
+    place, _ = band_ordering(joints, bodies, blocks)
     sweeps, left = 0, residual(p, joints, friction, v, w)
     while left > TOLERANCE and sweeps < MOST:
         sweep(p, joints, bodies, friction, v, w)
@@ -38,9 +38,9 @@ def _solved(
 
 def _equations(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int, int]:
     """The rows of velocities, how many there are, and how far contacts reach from the diagonal."""
-    place, _ = arranged(joints, bodies, blocks)
-    row, many = numbered(bodies, place)
-    return row, many, width(joints, row, blocks)
+    place, _ = band_ordering(joints, bodies, blocks)
+    row, many = equation_numbers(bodies, place)
+    return row, many, half_width(joints, row, blocks)
 
 
 solved: Any = numba.njit(_solved)  # not kept on disk, where they would outlive what they call

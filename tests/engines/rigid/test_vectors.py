@@ -10,7 +10,7 @@ from vv.engines.kernels.compiled import ENTRY, ROUNDING
 from vv.engines.kernels.compiler.parts import BranchingCompiler
 from vv.engines.rigid.solver.banded import eliminate
 from vv.engines.rigid.solver.batches import BATCH, LAYER, PAIRS, Record
-from vv.engines.rigid.solver.lanes import press
+from vv.engines.rigid.solver.lanes import update_layer
 from vv.engines.rigid.solver.seats import LANES
 from vv.scene import Vector
 
@@ -18,7 +18,7 @@ from vv.scene import Vector
 def pressed(pairs: Record, batches: Record, layers: Record) -> None:
     """Press each contact of each batch once."""
     for k in range(len(batches)):
-        press(pairs[0], batches[k], layers[k])
+        update_layer(pairs[0], batches[k], layers[k])
 
 
 def eliminated(matrix: Vector, right: Vector, half: int) -> None:
@@ -44,7 +44,7 @@ def test_equations_in_a_band_are_solved_several_numbers_at_once() -> None:
 
 
 def test_contacts_of_a_batch_are_pressed_several_at_once() -> None:
-    press.dispatcher  # type: ignore[attr-defined]  # noqa: B018 - numba is told what kernels need
+    update_layer.dispatcher  # type: ignore[attr-defined]  # noqa: B018 - numba is told what kernels need
     kernel: Any = numba.njit(pipeline_class=BranchingCompiler, **ENTRY, **ROUNDING)(pressed)
     batches, layers = np.zeros(2, BATCH), np.zeros(2, LAYER)
     batches["lanes"] = LANES

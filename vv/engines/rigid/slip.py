@@ -14,7 +14,7 @@ SLOW = 2.0  # over the velocity change by friction in a step: slower slip could 
 
 
 @inlined
-def slow(span: float, pull: float, tolerance: float) -> float:
+def least_slip_speed(span: float, pull: float, tolerance: float) -> float:
     """The speed [m/s] below which a contact does not slip, after a step of `span` [s].
 
     It is due to the tolerance [m/s] of the solution. pull: see `vv.engines.rigid.scales`.
@@ -23,7 +23,7 @@ def slow(span: float, pull: float, tolerance: float) -> float:
 
 
 @lent
-def heading(before: Triple, after: Triple) -> Triple:
+def mean_direction(before: Triple, after: Triple) -> Triple:
     """The mean direction u/|u| of a slip velocity u that changes linearly from u0 to u1.
 
     u0, u1: `before`, `after`. With e the unit vector of u1 - u0, x = u . e and r the part of u0
@@ -64,9 +64,9 @@ def bend(before: Triple, sag: Triple, after: Triple, pull: float) -> Triple:
         return zero
     if not (dot(one, one) > STRAIGHT * first * last or dot(two, two) > STRAIGHT * first * first):
         return zero
-    early, late = heading(before, halfway), heading(halfway, after)
+    early, late = mean_direction(before, halfway), mean_direction(halfway, after)
     halfway = add_scaled(add_scaled(halfway, -0.25 * pull, early), 0.25 * pull, late)
-    early, late = heading(before, halfway), heading(halfway, after)
+    early, late = mean_direction(before, halfway), mean_direction(halfway, after)
     mean = add_scaled(add_scaled(zero, 0.5, early), 0.5, late)
     return add_scaled(add_scaled(mean, -0.5 / np.sqrt(first), before), -0.5 / np.sqrt(last), after)
 

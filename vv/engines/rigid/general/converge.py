@@ -25,15 +25,15 @@ from vv.engines.rigid.limits import (
     STIFF,
     STUCK,
 )
-from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
-from vv.engines.rigid.solver.banded import arranged
-from vv.engines.rigid.solver.cone import Friction, keep, residual, solve_contacts
-from vv.engines.rigid.solver.drift import drifted
-from vv.engines.rigid.solver.momentum import carried
-from vv.engines.rigid.solver.newton import balanced
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
+from vv.engines.rigid.solver.banded import band_ordering
+from vv.engines.rigid.solver.cone import Friction, copy_rows, residual, solve_contacts
+from vv.engines.rigid.solver.drift import leap_sweeps
+from vv.engines.rigid.solver.momentum import momentum_sweeps
+from vv.engines.rigid.solver.newton import newton_round
 from vv.scene import Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 
 
 @called
@@ -49,28 +49,30 @@ def converged(
     """
     blocks = len(setting.mass)
     if blocks <= SMALL:
-        return in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
-    place, apart = arranged(joints, bodies, blocks)
+        return solve_in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
+    place, apart = band_ordering(joints, bodies, blocks)
     if apart <= CHAIN:
-        return in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
+        return solve_in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
     start, start_v, start_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
-    sweeps, left = leaping(setting, joints, bodies, friction, p, v, w, fewest, tolerance, place)
+    sweeps, left = solve_with_leaps(
+        setting, joints, bodies, friction, p, v, w, fewest, tolerance, place
+    )
     if left <= setting.tolerance:
         return sweeps, left
     best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
-    keep(p, start)
-    keep(v, start_v)
-    keep(w, start_w)
-    more, other = in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
+    copy_rows(p, start)
+    copy_rows(v, start_v)
+    copy_rows(w, start_w)
+    more, other = solve_in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
     if other > left:
-        keep(p, best)
-        keep(v, best_v)
-        keep(w, best_w)
+        copy_rows(p, best)
+        copy_rows(v, best_v)
+        copy_rows(w, best_w)
     return sweeps + more, smaller(left, other)
 
 
 @called
-def leaping(
+def solve_with_leaps(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
     p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float, place: Index,
 ) -> tuple[int, float]:  # fmt: skip
@@ -80,18 +82,18 @@ def leaping(
     far above that asked; otherwise Newton steps are taken.
     """
     sweeps, left, anew, more = 0 * fewest, np.inf, False, 1
-    free_v, free_w = without(p, joints, bodies, v, w)
+    free_v, free_w = velocities_without(p, joints, bodies, v, w)
     while sweeps < LEAPT and left > tolerance and more > 0:
         if sweeps >= ENOUGH and left <= setting.tolerance:
             break
         few = smaller(STUCK, LEAPT - sweeps)
-        more, left = drifted(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        more, left = leap_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
         sweeps += more
         if left > tolerance:
-            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
         if left > FAR * setting.tolerance and not anew:
             clear(p)
-            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
             anew = True
         elif left > setting.tolerance:
             left = polish(p, joints, bodies, friction, v, w, tolerance, left, place, SOFT)
@@ -99,7 +101,7 @@ def leaping(
 
 
 @called
-def in_turns(
+def solve_in_turns(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
     p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
 ) -> tuple[int, float]:  # fmt: skip
@@ -115,26 +117,26 @@ def in_turns(
     blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
     small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1
     if not small:
-        place, apart = arranged(joints, bodies, blocks)
+        place, apart = band_ordering(joints, bodies, blocks)
     finer = (SHINED if small else POLISHED) * tolerance
     chained, carries, anew = small or apart <= CHAIN, True, False
-    free_v, free_w = without(p, joints, bodies, v, w)
+    free_v, free_w = velocities_without(p, joints, bodies, v, w)
     while sweeps < setting.most and left > tolerance:
         if not small and sweeps >= ENOUGH and left <= setting.tolerance:
             break
         patience = STALLED if chained else CARRIED if carries else STEADIED
         few = smaller(patience, setting.most - sweeps)
         if carries and not chained:
-            more, left = carried(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+            more, left = momentum_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
         else:
             more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
         sweeps, carries = sweeps + more, not carries
         if left > tolerance:
-            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
         stuck = not chained and sweeps >= STUCK and left > setting.tolerance
         if stuck and not anew and left > FAR * setting.tolerance:
             clear(p)
-            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
             anew, carries = True, True
         elif (chained and left > tolerance) or stuck:
             aim, stiffness = (tolerance, SOFT) if stuck else (finer, STIFF)
@@ -145,18 +147,18 @@ def in_turns(
 
 
 @called
-def without(
+def velocities_without(
     p: Vector, joints: Joints, bodies: Bodies, v: Vector, w: Vector
 ) -> tuple[Vector, Vector]:
     """The velocities and spins (b, 3) without the impulses p (c, 3), whose effect is in v, w."""
     free_v, free_w = same_rows(v, len(v)), same_rows(w, len(w))
     for c in range(len(p)):
-        load_on(joints, c, bodies, free_v, free_w, add_scaled(NIL, -1.0, at(p, c)))
+        apply_nonzero(joints, c, bodies, free_v, free_w, add_scaled(ZERO, -1.0, at(p, c)))
     return free_v, free_w
 
 
 @lent
-def renewed(
+def recomputed(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     free_v: Vector, free_w: Vector,
 ) -> float:  # fmt: skip
@@ -165,10 +167,10 @@ def renewed(
     Each sweep adds its rounding to the velocities. In a narrow groove, where impulses over mass
     are 1e6 times the resulting velocity, the rounding would exceed the residual asked.
     """
-    keep(v, free_v)
-    keep(w, free_w)
+    copy_rows(v, free_v)
+    copy_rows(w, free_w)
     for c in range(len(p)):
-        load_on(joints, c, bodies, v, w, at(p, c))
+        apply_nonzero(joints, c, bodies, v, w, at(p, c))
     return residual(p, joints, friction, v, w)
 
 
@@ -179,25 +181,25 @@ def polish(
 ) -> float:  # fmt: skip
     """Improve p (c, 3), whose effect is in v, w, by Newton rounds; return the residual [m/s].
 
-    left: the residual at the start; place: see `arranged`; stiffness: of the first round. A round
-    that does not reduce the residual is undone, and the next one is less stiff.
+    left: the residual at the start; place: see `band_ordering`; stiffness: of the first round. A
+    round that does not reduce the residual is undone, and the next one is less stiff.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     for _ in range(OUTER):
         if left <= tolerance or stiffness < 1.0:
             break
-        keep(before, p)
-        keep(before_v, v)
-        keep(before_w, w)
-        met = balanced(p, before, joints, bodies, friction, v, w, tolerance, stiffness, place)
+        copy_rows(before, p)
+        copy_rows(before_v, v)
+        copy_rows(before_w, w)
+        met = newton_round(p, before, joints, bodies, friction, v, w, tolerance, stiffness, place)
         for c in range(len(p)):
-            load_on(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
+            apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)
         if met and now < left:
             left, stiffness = now, 10.0 * stiffness
         else:
-            keep(p, before)
-            keep(v, before_v)
-            keep(w, before_w)
+            copy_rows(p, before)
+            copy_rows(v, before_v)
+            copy_rows(w, before_w)
             stiffness *= 0.01
     return left

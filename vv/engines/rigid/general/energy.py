@@ -19,18 +19,18 @@ from vv.engines.rigid.general.turning import turned_inertia
 from vv.engines.rigid.solver.assembly import Joints, relative
 from vv.scene import Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 RUBBED, HIT, BASE, SHAKEN, DRIVEN, SHOVED, TURNED = range(7)
 
 
 @lent
-def work(
+def add_work(
     account: Vector, joints: Joints, c: int, p: Triple, v: Vector, w: Vector, blocks: int,
     apart: Triple,
 ) -> None:  # fmt: skip
     """Add to account (7,) [J] the work of an impulse p at contact c at mean velocities v, w (b, 3).
 
-    apart: the correction of the contact's velocity by `turned` [m/s].
+    apart: the correction of the contact's velocity by `arm_covariance` [m/s].
     """
     n, u = at(joints.normal, c), add_scaled(relative(joints, c, v, w), 1.0, apart)
     account[TURNED] += dot(p, apart)
@@ -42,7 +42,7 @@ def work(
 
 
 @lent
-def turned(trial: Trial, c: int, gained: Vector) -> Triple:
+def arm_covariance(trial: Trial, c: int, gained: Vector) -> Triple:
     """The mean of spin x arm over a step minus the product of their means, at contact c [m/s].
 
     gained: (b, 3) [1/s], half the change of spins in the step; half the change of arms is that from
@@ -55,7 +55,7 @@ def turned(trial: Trial, c: int, gained: Vector) -> Triple:
 
 
 @called
-def book(
+def add_works(
     account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float,
     blow: bool,
 ) -> None:  # fmt: skip
@@ -71,15 +71,15 @@ def book(
     wall_rates(setting, now, v_mid)
     for i in range(b):
         had = at(state.v, i) if i < n else at(v_mid, i)
-        put(v_mid, i, add_scaled(add_scaled(NIL, 0.5, had), 0.5, at(trial.v, i)))
+        put(v_mid, i, add_scaled(add_scaled(ZERO, 0.5, had), 0.5, at(trial.v, i)))
         if i < n:
-            put(w_mid, i, add_scaled(add_scaled(NIL, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
+            put(w_mid, i, add_scaled(add_scaled(ZERO, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
             put(gained, i, add_scaled(at(trial.w, i), -1.0, at(w_mid, i)))
     for c in range(len(trial.p)):
         p = turned_back(trial.turn, c, at(trial.acted, c))
-        work(account, trial.middle, c, p, v_mid, w_mid, n, turned(trial, c, gained))
+        add_work(account, trial.middle, c, p, v_mid, w_mid, n, arm_covariance(trial, c, gained))
         rest = add_scaled(at(trial.p, c), -1.0, at(trial.acted, c))
-        work(account, trial.joints, c, rest, v_mid, w_mid, n, NIL)
+        add_work(account, trial.joints, c, rest, v_mid, w_mid, n, ZERO)
     if blow:
         account[HIT] += account[RUBBED] - rubbed
         account[RUBBED] = rubbed

@@ -16,15 +16,22 @@ from vv.engines.kernels.arrays import (
 )
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import add_scaled, at, dot, put
-from vv.engines.rigid.general.setting import Past, Setting, State, copied, felt, rates
+from vv.engines.rigid.general.setting import (
+    Past,
+    Setting,
+    State,
+    copy_of,
+    least_impact_speed,
+    rates,
+)
 from vv.engines.rigid.general.step import Trial, attempt
 from vv.engines.rigid.general.turning import orthonormal, turn_by
 from vv.engines.rigid.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP
-from vv.engines.rigid.slip import slow
+from vv.engines.rigid.slip import least_slip_speed
 from vv.engines.rigid.solver.assembly import relative
 from vv.scene import Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 
 
 @called
@@ -34,7 +41,7 @@ def move(setting: Setting, state: State, trial: Trial, span: float) -> None:
         v, w = at(trial.v, i), at(trial.w, i)
         put(state.centre, i, add_scaled(add_scaled(at(state.centre, i), 0.5 * span, at(state.v, i)),
                                   0.5 * span, v))  # fmt: skip
-        angle = add_scaled(add_scaled(NIL, 0.5 * span, at(state.w, i)), 0.5 * span, w)
+        angle = add_scaled(add_scaled(ZERO, 0.5 * span, at(state.w, i)), 0.5 * span, w)
         if dot(angle, angle) > 0.0:
             turn_by(angle, same_rows(state.rotation[i], 3), state.rotation[i])
             orthonormal(state.rotation[i])
@@ -43,7 +50,7 @@ def move(setting: Setting, state: State, trial: Trial, span: float) -> None:
 
 
 @called
-def ends_after(
+def time_to_slip_end(
     setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
     contacts: Contacts, trial: Trial,
 ) -> float:  # fmt: skip
@@ -55,10 +62,12 @@ def ends_after(
     """
     v, w = nil_rows(len(trial.v)), nil_rows(len(trial.v))
     rates(setting, state, now, v, w)
-    low, high, late, speed, guess = 0.0, whole, trial, slowest(trial, v, w), -1.0
-    if speed > felt(setting, dt):
+    low, high, late, speed, guess = 0.0, whole, trial, slowest_slip(trial, v, w), -1.0
+    if speed > least_impact_speed(setting, dt):
         brief = CLOSE * dt
-        jam = attempt(setting, state, now, brief, contacts, hinted(trial, brief), trial.gaps.slack)
+        jam = attempt(
+            setting, state, now, brief, contacts, past_with_impulses(trial, brief), trial.gaps.slack
+        )
         if marked(jam.ended):
             return -1.0
     for look in range(ENDS):
@@ -71,7 +80,7 @@ def ends_after(
         if marked(trial.ended):
             high, late, guess = span, trial, guess - 0.5 * CLOSE * dt
         else:
-            left = slowest(trial, trial.v, trial.w)
+            left = slowest_slip(trial, trial.v, trial.w)
             guess = span + left * (span - low) / (speed - left) + 0.25 * CLOSE * dt
             low, speed = span, left
     if low <= CLOSE * dt:
@@ -84,7 +93,7 @@ def ends_after(
 
 
 @called
-def shared_out(impulse: Vector, span: float) -> Vector:
+def mean_forces(impulse: Vector, span: float) -> Vector:
     """The mean forces (c, 3) [N] of impulses (c, 3) [N s] over a time `span` [s]."""
     force = rows(len(impulse))
     for c in range(len(impulse)):
@@ -94,16 +103,16 @@ def shared_out(impulse: Vector, span: float) -> Vector:
 
 
 @called
-def hinted(trial: Trial, span: float) -> Past:
+def past_with_impulses(trial: Trial, span: float) -> Past:
     """The past from which a step of length `span` [s] starts with the impulses of a trial.
 
     The closer a rod is to jamming, the more sweeps are needed to find the impulse from zero.
     """
-    return Past(trial.key, shared_out(trial.p, span), unmarked(len(trial.p)), trial.joints)
+    return Past(trial.key, mean_forces(trial.p, span), unmarked(len(trial.p)), trial.joints)
 
 
 @lent
-def slowest(trial: Trial, v: Vector, w: Vector) -> float:
+def slowest_slip(trial: Trial, v: Vector, w: Vector) -> float:
     """The least speed [m/s], at velocities v, w (b, 3), of contacts that slip at the trial's start.
 
     It is measured along the initial direction of slip.
@@ -117,7 +126,7 @@ def slowest(trial: Trial, v: Vector, w: Vector) -> float:
 
 
 @lent
-def strained(setting: Setting, trial: Trial) -> bool:
+def may_slip(setting: Setting, trial: Trial) -> bool:
     """Whether a sticking contact may begin to slip in a step because of prescribed motions."""
     if len(setting.drives.omega) + len(setting.shaking.omega) == 0:
         return False
@@ -132,7 +141,7 @@ def strained(setting: Setting, trial: Trial) -> bool:
 
 
 @called
-def rests_for(
+def time_to_slip_start(
     setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
     contacts: Contacts, trial: Trial,
 ) -> float:  # fmt: skip
@@ -148,9 +157,9 @@ def rests_for(
             if look > 0:
                 trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
             late = marked(trial.begun)
-            then = copied(state)
+            then = copy_of(state)
             move(setting, then, trial, span)
-            known = remembered(trial, span, slow(span, setting.pull, setting.tolerance))
+            known = past_after(trial, span, least_slip_speed(span, setting.pull, setting.tolerance))
         if not late:
             glimpse = attempt(
                 setting, then, now + span, GLIMPSE * dt, contacts, known, setting.slack
@@ -164,7 +173,7 @@ def rests_for(
 
 
 @called
-def remembered(trial: Trial, span: float, least: float) -> Past:
+def past_after(trial: Trial, span: float, least: float) -> Past:
     """The past of the step after a trial of `span` [s]; slip slower than `least` [m/s] is none."""
     still = unmarked(len(trial.p))
     for c in range(len(still)):
@@ -172,4 +181,4 @@ def remembered(trial: Trial, span: float, least: float) -> Past:
         u = relative(trial.joints, c, trial.v, trial.w)
         slip = add_scaled(u, -dot(u, n), n)
         still[c] = dot(slip, slip) <= least * least and dot(at(trial.p, c), n) > 0.0
-    return Past(trial.key, shared_out(trial.p, span), still, trial.joints)
+    return Past(trial.key, mean_forces(trial.p, span), still, trial.joints)

@@ -20,31 +20,31 @@ from vv.engines.kernels.arrays import (
 from vv.engines.kernels.compiled import called, compiled_to_branch, lent
 from vv.engines.kernels.drive import mean
 from vv.engines.kernels.triples import add_scaled, at, dot, put
-from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
+from vv.engines.rigid.general.energy import DRIVEN, SHOVED, add_works, kinetic
 from vv.engines.rigid.general.events import (
-    ends_after,
-    hinted,
+    may_slip,
     move,
-    remembered,
-    rests_for,
-    strained,
+    past_after,
+    past_with_impulses,
+    time_to_slip_end,
+    time_to_slip_start,
 )
-from vv.engines.rigid.general.landing import lands_after, struck
+from vv.engines.rigid.general.landing import impact_acted, time_to_landing
 from vv.engines.rigid.general.lever_arms import turned_back
-from vv.engines.rigid.general.setting import Setting, State, pace, shift_at
-from vv.engines.rigid.general.step import Trial, attempt, nothing
+from vv.engines.rigid.general.setting import Setting, State, fastest_speed, shift_at
+from vv.engines.rigid.general.step import Trial, attempt, no_past
 from vv.engines.rigid.general.turning import turn_by
 from vv.engines.rigid.limits import APART, BLOW, BRIEF, CUTS, HITS, NEARLY, PUSHES, SMALL, SPLITS
-from vv.engines.rigid.slip import slow
+from vv.engines.rigid.slip import least_slip_speed
 from vv.engines.rigid.solver.assembly import relative
 from vv.engines.rigid.solver.cone import push_out
 from vv.scene import Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 
 
 @called
-def separate(
+def remove_penetration(
     account: Vector, setting: Setting, state: State, trial: Trial, before: State,
     now: float, span: float,
 ) -> float:  # fmt: skip
@@ -59,7 +59,7 @@ def separate(
                 turn,
                 i,
                 add_scaled(
-                    add_scaled(NIL, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)
+                    add_scaled(ZERO, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)
                 ),
             )
         else:
@@ -82,7 +82,7 @@ def separate(
 
 
 @lent
-def impel(given: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
+def add_impulses(given: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
     """Add the impulses (b, 3) [N s] of contacts and shaking on bodies in a step to `given`."""
     shake = mean(setting.shaking, now, span)
     for i in range(len(setting.mass)):
@@ -96,16 +96,16 @@ def impel(given: Vector, setting: Setting, trial: Trial, now: float, span: float
 
 
 @lent
-def press(force: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
+def fill_forces(force: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
     """Fill force (b, 3) [N] with the mean forces of contacts and shaking on bodies in a step."""
     clear(force)
-    impel(force, setting, trial, now, span)
+    add_impulses(force, setting, trial, now, span)
     for i in range(len(force)):
-        put(force, i, add_scaled(NIL, 1.0 / span, at(force, i)))
+        put(force, i, add_scaled(ZERO, 1.0 / span, at(force, i)))
 
 
 @lent
-def record(row: Vector, force: Vector, given: Vector) -> None:
+def fill_reaction(row: Vector, force: Vector, given: Vector) -> None:
     """Fill row (b, 6) with forces and impulses (b, 3)."""
     for i in range(len(row)):
         for c in range(3):
@@ -113,7 +113,7 @@ def record(row: Vector, force: Vector, given: Vector) -> None:
 
 
 @lent
-def watch(path: Vector, watched: Index, state: State, centre: Vector) -> None:
+def fill_path(path: Vector, watched: Index, state: State, centre: Vector) -> None:
     """Fill path (b, 9) with displacement, velocity and spin of the watched blocks.
 
     centre: (n, 3) at t = 0 [m].
@@ -154,7 +154,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
         rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
     state = State(same_rows(centre, n), rotation, same_rows(v, n), same_rows(w, n))
     account, contacts = nil_numbers(7), empty_contacts(64 + 0 * n)
-    past = nothing(contacts, setting)
+    past = no_past(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
     pressed, given, done = nil_rows(reaction.shape[1]), nil_rows(reaction.shape[1]), 0
     for row in range(len(path)):
@@ -168,50 +168,50 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 if not blow:
                     trial = attempt(setting, state, now, rest, contacts, past, setting.slack)
                     if cuts and not calm:
-                        whole, lands = lands_after(
+                        whole, lands = time_to_landing(
                             setting, state, past, now, rest, dt, contacts, trial
                         )
                         blow = whole == 0.0
                 if blow:
                     whole = smaller(BLOW * dt, rest)
-                    wide = setting.slack + HITS * dt * pace(setting, state, now, dt)
+                    wide = setting.slack + HITS * dt * fastest_speed(setting, state, now, dt)
                     trial = attempt(setting, state, now, whole, contacts, past, wide)
-                    calm = not struck(setting, trial, dt)
+                    calm = not impact_acted(setting, trial, dt)
                 elif lands:
                     trial = attempt(
                         setting, state, now, whole, contacts, past, APART * setting.slack
                     )
-                span, least = whole, slow(whole, setting.pull, setting.tolerance)
+                span, least = whole, least_slip_speed(whole, setting.pull, setting.tolerance)
                 if blow:
-                    least = slow(dt, setting.pull, setting.tolerance)
+                    least = least_slip_speed(dt, setting.pull, setting.tolerance)
                 elif cuts and marked(trial.ended):
-                    span = ends_after(setting, state, past, now, whole, dt, contacts, trial)
+                    span = time_to_slip_end(setting, state, past, now, whole, dt, contacts, trial)
                     least = larger(least, NEARLY * setting.pull * whole)
                     if span < 0.0:
                         blow, span = True, BLOW * dt
-                        past = hinted(trial, span)
+                        past = past_with_impulses(trial, span)
                         trial = attempt(setting, state, now, span, contacts, past, setting.slack)
-                        past, span = hinted(trial, span), 0.0
+                        past, span = past_with_impulses(trial, span), 0.0
                     if span == 0.0:
                         continue
-                elif (cuts and not looked) and (marked(trial.begun) or strained(setting, trial)):
+                elif (cuts and not looked) and (marked(trial.begun) or may_slip(setting, trial)):
                     looked = True
-                    span = rests_for(setting, state, past, now, whole, dt, contacts, trial)
+                    span = time_to_slip_start(setting, state, past, now, whole, dt, contacts, trial)
                 if span < whole:
                     trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
                 before = State(
                     same_rows(state.centre, n), state.rotation, state.v, same_rows(state.w, n)
                 )
-                book(account, setting, state, trial, now, span, blow)
+                add_works(account, setting, state, trial, now, span, blow)
                 move(setting, state, trial, span)
-                deepest = separate(account, setting, state, trial, before, now, span)
+                deepest = remove_penetration(account, setting, state, trial, before, now, span)
                 lasting = (
                     dt / CUTS if blow else larger(span, BRIEF * dt)
                 )  # no impulse of an impact lasts
-                past = remembered(trial, lasting, least)
-                impel(given, setting, trial, now, span)
+                past = past_after(trial, lasting, least)
+                add_impulses(given, setting, trial, now, span)
                 if not blow:
-                    press(pressed, setting, trial, now, span)
+                    fill_forces(pressed, setting, trial, now, span)
                 blow = False
                 report[row, 0] = larger(report[row, 0], trial.residual)
                 report[row, 1] = larger(report[row, 1], float(trial.sweeps))
@@ -224,10 +224,10 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 report[row, 3] += 1.0
             done += 1
             if done == 1:
-                record(reaction[0], pressed, nil_rows(len(given)))
+                fill_reaction(reaction[0], pressed, nil_rows(len(given)))
         if row > 0:
-            record(reaction[row], pressed, given)
-        watch(path[row], watched, state, centre)
+            fill_reaction(reaction[row], pressed, given)
+        fill_path(path[row], watched, state, centre)
         energy[row, 0] = total = kinetic(setting, state)
         for c in range(len(account)):
             energy[row, 1 + c] = account[c]

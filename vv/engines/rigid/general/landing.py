@@ -8,7 +8,7 @@ from vv.engines.blocks.contacts import Contacts
 from vv.engines.kernels.arrays import larger, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, dot
-from vv.engines.rigid.general.setting import Past, Setting, State, felt
+from vv.engines.rigid.general.setting import Past, Setting, State, least_impact_speed
 from vv.engines.rigid.general.step import Trial, attempt
 from vv.engines.rigid.limits import APART, CLOSELY, LANDED, LANDINGS, SHORTLY
 from vv.engines.rigid.slip import first_root
@@ -16,7 +16,7 @@ from vv.engines.rigid.solver.assembly import relative
 
 
 @called
-def lands_after(
+def time_to_landing(
     setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
     contacts: Contacts, trial: Trial,
 ) -> tuple[float, bool]:  # fmt: skip
@@ -27,16 +27,16 @@ def lands_after(
     the mean of the velocities before and after an impact, so that blocks would go on penetrating
     for up to half a step.
     """
-    span = landing(setting, trial, dt)
+    span = earliest_landing(setting, trial, dt)
     there, span = span < np.inf, smaller(span, whole)
     if there and span == 0.0:  # the gap of the trial has an error of second order in the rotation
         brief = SHORTLY * whole
         trial = attempt(setting, state, now, brief, contacts, past, APART * setting.slack)
-        soon = brief + closing(trial, brief)
+        soon = brief + time_to_closing(trial, brief)
         span = soon if LANDED * dt < soon < whole else 0.0
     for _ in range(LANDINGS if there and 0.0 < span < whole else 0):
         trial = attempt(setting, state, now, span, contacts, past, APART * setting.slack)
-        more = closing(trial, span)
+        more = time_to_closing(trial, span)
         span = larger(0.0, smaller(whole, span + more))
         if abs(more) <= LANDED * dt or span == 0.0 or (span == whole and more > whole):
             break
@@ -46,13 +46,13 @@ def lands_after(
 
 
 @lent
-def landing(setting: Setting, trial: Trial, dt: float) -> float:
+def earliest_landing(setting: Setting, trial: Trial, dt: float) -> float:
     """A lower bound on the time [s] until a contact that acts in a trial closes, or infinity.
 
     Only contacts that close at a finite velocity count; those that were pressed in the step before
     remain closed.
     """
-    first, near, fast = np.inf, CLOSELY * setting.pull * dt * dt, felt(setting, dt)
+    first, near, fast = np.inf, CLOSELY * setting.pull * dt * dt, least_impact_speed(setting, dt)
     for c in range(len(trial.p)):
         if not trial.gaps.known[c] and dot(at(trial.p, c), at(trial.joints.normal, c)) > 0.0:
             gap, opens = larger(trial.gaps.gap[c] - setting.slack, 0.0), trial.gaps.opens[c]
@@ -62,17 +62,17 @@ def landing(setting: Setting, trial: Trial, dt: float) -> float:
 
 
 @lent
-def struck(setting: Setting, trial: Trial, dt: float) -> bool:
-    """Whether an impact changed the normal velocity of any contact by more than half of `felt`."""
+def impact_acted(setting: Setting, trial: Trial, dt: float) -> bool:
+    """Whether an impact changed any normal velocity by half of `least_impact_speed` or more."""
     hardest = 0.0
     for c in range(len(trial.p)):
         normal = dot(at(trial.p, c), at(trial.joints.normal, c))
         hardest = larger(hardest, normal * trial.joints.across[c])
-    return hardest > 0.5 * felt(setting, dt)
+    return hardest > 0.5 * least_impact_speed(setting, dt)
 
 
 @lent
-def closing(trial: Trial, span: float) -> float:
+def time_to_closing(trial: Trial, span: float) -> float:
     """The time [s] after a trial at which the first open gap closes, extrapolated by a parabola.
 
     Negative if a gap has closed within the trial, of length `span` [s].

@@ -12,10 +12,10 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import larger, nil_rows, rows
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
-from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
 from vv.scene import Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 
 
 @called
@@ -32,9 +32,9 @@ def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vecto
         n, a, b = at(joints.normal, c), at(joints.arm_first, c), at(joints.arm_second, c)
         row = before[c]
         if row >= 0:
-            put(turn, c, add_scaled(NIL, 0.5, cross(at(began.normal, row), n)))
-            a = add_scaled(add_scaled(NIL, 0.5, a), 0.5, at(began.arm_first, row))
-            b = add_scaled(add_scaled(NIL, 0.5, b), 0.5, at(began.arm_second, row))
+            put(turn, c, add_scaled(ZERO, 0.5, cross(at(began.normal, row), n)))
+            a = add_scaled(add_scaled(ZERO, 0.5, a), 0.5, at(began.arm_first, row))
+            b = add_scaled(add_scaled(ZERO, 0.5, b), 0.5, at(began.arm_second, row))
         put(normal, c, turned_back(turn, c, n))
         put(one, c, a)
         put(two, c, b)
@@ -51,7 +51,7 @@ def turned_back(turn: Vector, c: int, p: Triple) -> Triple:
 
 
 @lent
-def relever(
+def act_at_midstep(
     p: Vector, acted: Vector, joints: Joints, middle: Joints, turn: Vector,
     bodies: Bodies, v: Vector, w: Vector,
 ) -> float:  # fmt: skip
@@ -66,17 +66,17 @@ def relever(
         if dot(change, change) > 0.0:
             a, b = joints.first[c], joints.second[c]
             before = (at(v, a), at(w, a), at(v, b), at(w, b))
-            load_on(middle, c, bodies, v, w, turned_back(turn, c, change))
-            load_on(joints, c, bodies, v, w, add_scaled(NIL, -1.0, change))
+            apply_nonzero(middle, c, bodies, v, w, turned_back(turn, c, change))
+            apply_nonzero(joints, c, bodies, v, w, add_scaled(ZERO, -1.0, change))
             one, two = at(joints.arm_first, c), at(joints.arm_second, c)
-            worst = larger(worst, apart(before[0], at(v, a), before[1], at(w, a), one))
-            worst = larger(worst, apart(before[2], at(v, b), before[3], at(w, b), two))
+            worst = larger(worst, difference(before[0], at(v, a), before[1], at(w, a), one))
+            worst = larger(worst, difference(before[2], at(v, b), before[3], at(w, b), two))
             put(acted, c, at(p, c))
     return worst
 
 
 @inlined
-def apart(v0: Triple, v1: Triple, w0: Triple, w1: Triple, arm: Triple) -> float:
+def difference(v0: Triple, v1: Triple, w0: Triple, w1: Triple, arm: Triple) -> float:
     """The difference of two motions of a body, as a velocity at the end of an arm [m/s]."""
     u = add_scaled(add_scaled(v1, -1.0, v0), 1.0, cross(add_scaled(w1, -1.0, w0), arm))
     return float(np.sqrt(dot(u, u)))

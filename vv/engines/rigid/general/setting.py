@@ -17,7 +17,7 @@ from vv.engines.rigid.limits import GENTLY, ROUNDED, SLOWLY
 from vv.engines.rigid.solver.assembly import Joints, times
 from vv.scene import Mask, Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 FORECASTS = 3  # iterations in which free rotation conserves its angular momentum
 
 
@@ -82,7 +82,7 @@ class Past(NamedTuple):
 
 
 @called
-def copied(state: State) -> State:
+def copy_of(state: State) -> State:
     """A copy of the state."""
     n = len(state.centre)
     rotation = squares(n)
@@ -135,7 +135,7 @@ def forecast(
         put(w, i, spin)
         rounds = FORECASTS if dot(spin, spin) > 0.0 else 1
         for _ in range(rounds):
-            middle = add_scaled(add_scaled(NIL, 0.5 * span, spin), 0.5 * span, at(w, i))
+            middle = add_scaled(add_scaled(ZERO, 0.5 * span, spin), 0.5 * span, at(w, i))
             turn_by(middle, state.rotation[i], rotation[i])
             turned_inertia(setting.inertia[i], rotation[i], world)
             held_inverse(world, setting.hold_spin[i], inverse[i])
@@ -155,7 +155,7 @@ def free_velocities(setting: Setting, state: State, now: float, span: float, v: 
 
 
 @called
-def pace(setting: Setting, state: State, now: float, span: float) -> float:
+def fastest_speed(setting: Setting, state: State, now: float, span: float) -> float:
     """An estimate of the largest speed of any point within a step [m/s]."""
     fastest = 0.0
     for i in range(len(setting.mass)):
@@ -170,8 +170,8 @@ def pace(setting: Setting, state: State, now: float, span: float) -> float:
 
 
 @lent
-def asked(setting: Setting, pace: float, apart: float) -> float:
-    """The residual [m/s] asked of a step in which speeds are up to `pace` [m/s].
+def residual_asked(setting: Setting, pace: float, apart: float) -> float:
+    """The residual [m/s] asked of a step in which speeds are up to `fastest_speed` [m/s].
 
     apart: the velocity [m/s] that corresponds to rounding of gaps that close in the step.
     """
@@ -180,6 +180,6 @@ def asked(setting: Setting, pace: float, apart: float) -> float:
 
 
 @lent
-def felt(setting: Setting, dt: float) -> float:
+def least_impact_speed(setting: Setting, dt: float) -> float:
     """The least velocity [m/s] of a contact that closes by an impact."""
     return larger(SLOWLY * setting.pull * dt, GENTLY * setting.tolerance)

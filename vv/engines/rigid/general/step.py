@@ -25,27 +25,27 @@ from vv.engines.kernels.arrays import (
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import add_scaled, at, dot, put
-from vv.engines.rigid.general.bends import bent
+from vv.engines.rigid.general.bends import set_turns
 from vv.engines.rigid.general.converge import converged
-from vv.engines.rigid.general.lever_arms import halfway, relever
+from vv.engines.rigid.general.lever_arms import act_at_midstep, halfway
 from vv.engines.rigid.general.setting import (
     Past,
     Setting,
     State,
-    asked,
+    fastest_speed,
     forecast,
     free_velocities,
-    pace,
+    residual_asked,
     shift_at,
     wall_rates,
 )
 from vv.engines.rigid.limits import NEARLY, SMALL, UNHINTED
-from vv.engines.rigid.slip import slow
-from vv.engines.rigid.solver.assembly import Bodies, Joints, assemble, load_on, relative
+from vv.engines.rigid.slip import least_slip_speed
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, assemble, relative
 from vv.engines.rigid.solver.cone import Friction
 from vv.scene import Mask, Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 EPS = 2.0**-52
 
 
@@ -105,7 +105,7 @@ def detected(
 
 
 @called
-def nothing(contacts: Contacts, setting: Setting) -> Past:
+def no_past(contacts: Contacts, setting: Setting) -> Past:
     """The past before the first step: no contacts."""
     none = squares(0)
     joints = assemble(contacts, 0 * len(setting.mass), Bodies(none, none, rows(0)))
@@ -137,16 +137,16 @@ def attempt(
         put(centre, i, add_scaled(at(state.centre, i), span, at(state.v, i)))
         put(v_old, i, at(state.v, i))
         put(v_mean, i, at(state.v, i))
-        put(w_old, i, add_scaled(add_scaled(NIL, 0.5, at(state.w, i)), 0.5, at(w, i)))
+        put(w_old, i, add_scaled(add_scaled(ZERO, 0.5, at(state.w, i)), 0.5, at(w, i)))
     for k in range(b - n):
         put(
             v_mean,
             n + k,
-            add_scaled(add_scaled(NIL, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)),
+            add_scaled(add_scaled(ZERO, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)),
         )
     vertex, normal = rows(len(setting.shapes.vertex)), rows(len(setting.shapes.normal))
     place_rigid(vertex, normal, setting.shapes, centre[:n], rotation)
-    fastest = pace(setting, state, now, span)
+    fastest = fastest_speed(setting, state, now, span)
     smallest = least_of(setting.shapes.size)
     margin = 2.0 * span * fastest + 1e-6 * smallest
     found, count = detected(contacts, setting, vertex, normal, shift, margin)
@@ -166,7 +166,7 @@ def attempt(
         if before[c] >= 0:
             was = at(past.joints.normal, before[c])
             opens[c] = dot(was, relative(past.joints, before[c], v_old, w_old))
-            put(p, c, add_scaled(NIL, span, at(past.force, before[c])))
+            put(p, c, add_scaled(ZERO, span, at(past.force, before[c])))
             known[c] = dot(at(p, c), m) > 0.0
         begun = gap[c] - (setting.slack if known[c] else slack)
         if begun > 0.0 and not (known[c] and span < setting.step):
@@ -174,10 +174,10 @@ def attempt(
         held = (slack > setting.slack and not known[c]) or (
             before[c] >= 0 and past.still[before[c]]
         )
-        if speed > slow(span, setting.pull, setting.tolerance) and not held:
-            put(friction.d, c, add_scaled(NIL, 1.0 / speed, slip))
+        if speed > least_slip_speed(span, setting.pull, setting.tolerance) and not held:
+            put(friction.d, c, add_scaled(ZERO, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
-    tolerance = asked(setting, fastest, apart)
+    tolerance = residual_asked(setting, fastest, apart)
     if n > SMALL and len(past.key) == 0:
         tolerance *= UNHINTED
     return solved(
@@ -195,11 +195,11 @@ def solved(
     """Solve the contacts of a trial; the direction of friction follows the resulting slip."""
     count, acted = len(p), nil_rows(len(p))
     for c in range(count):
-        load_on(joints, c, bodies, v, w, at(p, c))
-    relever(p, acted, joints, middle, turn, bodies, v, w)
+        apply_nonzero(joints, c, bodies, v, w, at(p, c))
+    act_at_midstep(p, acted, joints, middle, turn, bodies, v, w)
     sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest, tolerance)
     begun, ended = unmarked(count), unmarked(count)
-    any_ended, least = False, slow(span, setting.pull, setting.tolerance)
+    any_ended, least = False, least_slip_speed(span, setting.pull, setting.tolerance)
     most = larger(least, NEARLY * setting.pull * span)
     for c in range(count):
         n, d = at(joints.normal, c), at(friction.d, c)
@@ -211,8 +211,8 @@ def solved(
             ended[c] = slips and dot(u, d) <= least
             any_ended = any_ended or ended[c]
     for _ in range(0 if any_ended else setting.bends):
-        turns = bent(setting, now, span, joints, friction, p, v_old, w_old, v, w)
-        moved = relever(p, acted, joints, middle, turn, bodies, v, w)
+        turns = set_turns(setting, now, span, joints, friction, p, v_old, w_old, v, w)
+        moved = act_at_midstep(p, acted, joints, middle, turn, bodies, v, w)
         if not turns and moved <= tolerance:
             break
         few = 0 * sweeps  # numba would compile the solver once more for a literal 0

@@ -12,10 +12,10 @@ from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, rate, travel
 from vv.engines.kernels.triples import Triple, add_scaled, cross, dot
 from vv.engines.rigid.limits import AGREE, BENDS, CUTS, HALVINGS, LOOKS, MOSTLY, VEERED
-from vv.engines.rigid.slip import STRAIGHT, bend, first_root, slow
+from vv.engines.rigid.slip import STRAIGHT, bend, first_root, least_slip_speed
 from vv.scene import Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 
 
 @bundle
@@ -50,19 +50,19 @@ class Touch(NamedTuple):
 
 
 @lent
-def room(ground: Ground, x: Triple, time: float) -> float:
+def gap_at(ground: Ground, x: Triple, time: float) -> float:
     """The gap [m] at a displacement x and a time [s]."""
     return ground.gap + dot(ground.normal, add_scaled(x, -1.0, travel(ground.base, time)))
 
 
 @lent
-def across(ground: Ground, u: Triple) -> Triple:
+def tangential(ground: Ground, u: Triple) -> Triple:
     """The part of a velocity parallel to the plane."""
     return add_scaled(u, -dot(u, ground.normal), ground.normal)
 
 
 @called
-def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> Touch:
+def with_contact(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> Touch:
     """The end of a step with contact, from the relative velocity u without contact.
 
     need: least value of u . normal [m/s]; d: unit direction of slip at the start of the step, or
@@ -70,18 +70,18 @@ def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> T
     opposes the remaining slip; with d = 0 it lies in disc(mu p).
     """
     p = max(0.0, need - dot(u, ground.normal))
-    along = across(ground, u)
+    along = tangential(ground, u)
     cap = ground.mu * p
     radius = 0.5 * cap if dot(d, d) > 0.0 else cap
     left = add_scaled(add_scaled(along, -0.5 * cap, d), -cap, turn)
     speed = np.sqrt(dot(left, left))
     kept = 1.0 - radius / speed if speed > radius else 0.0
-    rub = add_scaled(add_scaled(NIL, kept, left), -1.0, along)
+    rub = add_scaled(add_scaled(ZERO, kept, left), -1.0, along)
     return Touch(add_scaled(add_scaled(u, p, ground.normal), 1.0, rub), p, rub)
 
 
 @lent
-def freed(ground: Ground, a: Triple) -> Triple:
+def project_free(ground: Ground, a: Triple) -> Triple:
     """The part of a vector in the free directions."""
     hold = ground.hold
     return (
@@ -92,27 +92,27 @@ def freed(ground: Ground, a: Triple) -> Triple:
 
 
 @lent
-def thrown(ground: Ground, v: Triple, now: float, span: float) -> Triple:
+def free_velocity(ground: Ground, v: Triple, now: float, span: float) -> Triple:
     """The velocity after a step of `span` [s] without contact."""
     push = add_scaled(
         add_scaled(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span)
     )
-    return add_scaled(v, span, freed(ground, push))
+    return add_scaled(v, span, project_free(ground, push))
 
 
 @called
-def lands(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> float:
+def landing_time(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> float:
     """The time [s] until a mass in flight meets the plane, or `whole` if it does not.
 
     The gap is approximated by a parabola through its value at the end of a trial; its first root is
     the end of the next trial. Under constant forces and over a plane at rest it is exact at once.
     """
-    gap = max(room(ground, x, now), 0.0)
+    gap = max(gap_at(ground, x, now), 0.0)
     speed = dot(ground.normal, add_scaled(v, -1.0, rate(ground.base, now)))
     span = whole
     for _ in range(LOOKS):
-        middle = add_scaled(add_scaled(NIL, 0.5, v), 0.5, thrown(ground, v, now, span))
-        bent = room(ground, add_scaled(x, span, middle), now + span) - gap - span * speed
+        middle = add_scaled(add_scaled(ZERO, 0.5, v), 0.5, free_velocity(ground, v, now, span))
+        bent = gap_at(ground, add_scaled(x, span, middle), now + span) - gap - span * speed
         meets = first_root(gap, speed, bent / (span * span))
         if not meets < (1.0 - CUTS) * whole:
             return whole
@@ -123,32 +123,34 @@ def lands(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> flo
 
 
 @lent
-def flown(ground: Ground, v: Triple, now: float, span: float) -> Touch:
+def in_flight(ground: Ground, v: Triple, now: float, span: float) -> Touch:
     """The end of a step of `span` [s] without contact."""
     return Touch(
-        add_scaled(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span)), 0.0, NIL
+        add_scaled(free_velocity(ground, v, now, span), -1.0, rate(ground.base, now + span)),
+        0.0,
+        ZERO,
     )
 
 
 @called
-def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
+def trial_step(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
     """The end of a step of `span` [s] from x, v at `now`, with slip along d at its start."""
-    free = add_scaled(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span))
-    need = -max(room(ground, x, now), 0.0) / span
-    touch = pushed(ground, free, need, d, NIL)
+    free = add_scaled(free_velocity(ground, v, now, span), -1.0, rate(ground.base, now + span))
+    need = -max(gap_at(ground, x, now), 0.0) / span
+    touch = with_contact(ground, free, need, d, ZERO)
     if touch.p > 0.0 and dot(d, d) > 0.0 and dot(touch.u, d) > 0.0:
-        before = across(ground, add_scaled(v, -1.0, rate(ground.base, now)))
-        sag = sagging(ground, now, span)
+        before = tangential(ground, add_scaled(v, -1.0, rate(ground.base, now)))
+        sag = sag_by_motions(ground, now, span)
         for _ in range(BENDS):
-            turn = bend(before, sag, across(ground, touch.u), ground.mu * touch.p)
+            turn = bend(before, sag, tangential(ground, touch.u), ground.mu * touch.p)
             if dot(turn, turn) == 0.0:
                 break
-            touch = pushed(ground, free, need, d, turn)
+            touch = with_contact(ground, free, need, d, turn)
     return touch
 
 
 @called
-def resolved(
+def resolved_part(
     ground: Ground, x: Triple, v: Triple, now: float, whole: float, dt: float, d: Triple,
     touch: Touch,
 ) -> float:  # fmt: skip
@@ -158,52 +160,56 @@ def resolved(
     fraction of a step and friction changes the path. Elsewhere steps resolve the turn, and no half
     steps are tried.
     """
-    before = across(ground, add_scaled(v, -1.0, rate(ground.base, now)))
-    after, span = across(ground, touch.u), whole
+    before = tangential(ground, add_scaled(v, -1.0, rate(ground.base, now)))
+    after, span = tangential(ground, touch.u), whole
     for _ in range(HALVINGS if touch.p > 0.0 and dot(d, d) > 0.0 else 0):
-        if not veers(ground, now, span, before, after):
+        if not slip_turns(ground, now, span, before, after):
             break
-        off = add_scaled(after, -1.0, across(ground, halved(ground, x, v, now, span, d).u))
+        off = add_scaled(
+            after, -1.0, tangential(ground, two_half_steps(ground, x, v, now, span, d).u)
+        )
         part = smaller(AGREE * square_of(ground.quick * dt), MOSTLY)
         if not dot(off, off) > square_of(part * ground.mu * touch.p * dt / span):
             break
         span *= 0.5
-        touch = tried(ground, x, v, now, span, d)
-        after = across(ground, touch.u)
+        touch = trial_step(ground, x, v, now, span, d)
+        after = tangential(ground, touch.u)
     return span
 
 
 @lent
-def veers(ground: Ground, now: float, span: float, before: Triple, after: Triple) -> bool:
+def slip_turns(ground: Ground, now: float, span: float, before: Triple, after: Triple) -> bool:
     """Whether slip changes its direction in a step, other than by reversal along the same line."""
     out, square = cross(before, after), dot(before, before) * dot(after, after)
     if dot(before, after) > 0.0:
         return dot(out, out) > VEERED * square
-    bulge = cross(before, sagging(ground, now, span))
+    bulge = cross(before, sag_by_motions(ground, now, span))
     return dot(out, out) + dot(bulge, bulge) > STRAIGHT * square
 
 
 @called
-def halved(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
+def two_half_steps(
+    ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple
+) -> Touch:
     """The end of two half steps in place of one of `span` [s]."""
     half = 0.5 * span
-    touch = tried(ground, x, v, now, half, d)
+    touch = trial_step(ground, x, v, now, half, d)
     end = add_scaled(touch.u, 1.0, rate(ground.base, now + half))
     there = add_scaled(add_scaled(x, 0.5 * half, v), 0.5 * half, end)
-    slip = across(ground, touch.u)
-    speed, d = np.sqrt(dot(slip, slip)), NIL
-    if speed > slow(half, ground.pull, ground.fine):
-        d = add_scaled(NIL, 1.0 / speed, slip)
-    return tried(ground, there, end, now + half, half, d)
+    slip = tangential(ground, touch.u)
+    speed, d = np.sqrt(dot(slip, slip)), ZERO
+    if speed > least_slip_speed(half, ground.pull, ground.fine):
+        d = add_scaled(ZERO, 1.0 / speed, slip)
+    return trial_step(ground, there, end, now + half, half, d)
 
 
 @lent
-def sagging(ground: Ground, now: float, span: float) -> Triple:
+def sag_by_motions(ground: Ground, now: float, span: float) -> Triple:
     """The slip at mid-step minus the mean of those at its ends, by prescribed motions [m/s]."""
-    sag = add_scaled(NIL, 0.5 * span, mean(ground.shaking, now, 0.5 * span))
-    sag = freed(ground, add_scaled(sag, -0.5 * span, mean(ground.shaking, now, span)))
+    sag = add_scaled(ZERO, 0.5 * span, mean(ground.shaking, now, 0.5 * span))
+    sag = project_free(ground, add_scaled(sag, -0.5 * span, mean(ground.shaking, now, span)))
     sag = add_scaled(sag, -1.0, rate(ground.base, now + 0.5 * span))
     sag = add_scaled(
         add_scaled(sag, 0.5, rate(ground.base, now)), 0.5, rate(ground.base, now + span)
     )
-    return across(ground, sag)
+    return tangential(ground, sag)

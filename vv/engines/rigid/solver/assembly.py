@@ -87,14 +87,14 @@ def apply(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Tripl
 
 
 @lent
-def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
+def apply_nonzero(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
     """The same as `apply`, for p other than zero; not inlined, for code that runs seldom."""
     if dot(p, p) > 0.0:
         apply(joints, c, bodies, v, w, p)
 
 
 @inlined
-def answer(joints: Joints, c: int, bodies: Bodies, p: Triple) -> Triple:
+def local_response(joints: Joints, c: int, bodies: Bodies, p: Triple) -> Triple:
     """The relative velocity at contact c by an impulse p at it: J W J^T p."""
     a, b = joints.first[c], joints.second[c]
     one, two = at(joints.arm_first, c), at(joints.arm_second, c)
@@ -132,11 +132,14 @@ def assemble(contacts: Contacts, count: int, bodies: Bodies) -> Joints:
         put(joints.arm_first, c, add_scaled(point, -1.0, at(bodies.centre, joints.first[c])))
         put(joints.arm_second, c, add_scaled(point, -1.0, at(bodies.centre, joints.second[c])))
         n = at(joints.normal, c)
-        pull = answer(joints, c, bodies, n)
+        pull = local_response(joints, c, bodies, n)
         put(joints.pull, c, pull)
         joints.across[c] = dot(n, pull)
         one, two = tangents(n)
-        of_one, of_two = answer(joints, c, bodies, one), answer(joints, c, bodies, two)
+        of_one, of_two = (
+            local_response(joints, c, bodies, one),
+            local_response(joints, c, bodies, two),
+        )
         mean = 0.5 * (dot(one, of_one) + dot(two, of_two))
         apart = 0.5 * (dot(one, of_one) - dot(two, of_two))
         joints.along[c] = mean + np.hypot(apart, dot(one, of_two))

@@ -12,7 +12,7 @@ from vv.scene import Vector
 
 
 @inlined
-def moving(bodies: Bodies, i: int) -> bool:
+def can_move(bodies: Bodies, i: int) -> bool:
     """Whether impulses can move a body."""
     free = bodies.inverse[i, 0, 0] + bodies.inverse[i, 1, 1] + bodies.inverse[i, 2, 2]
     turns = bodies.inverse_spin[i, 0, 0] + bodies.inverse_spin[i, 1, 1]
@@ -20,9 +20,9 @@ def moving(bodies: Bodies, i: int) -> bool:
 
 
 @inlined
-def tied(joints: Joints, c: int, bodies: Bodies) -> bool:
+def coupled(joints: Joints, c: int, bodies: Bodies) -> bool:
     """Whether a contact couples two bodies: both can move."""
-    return moving(bodies, joints.first[c]) and moving(bodies, joints.second[c])
+    return can_move(bodies, joints.first[c]) and can_move(bodies, joints.second[c])
 
 
 @called
@@ -32,7 +32,7 @@ def neighbours(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, Inde
     for i in range(blocks + 1):
         start[i] = 0
     for c in range(len(joints.first)):
-        if tied(joints, c, bodies):
+        if coupled(joints, c, bodies):
             start[joints.first[c] + 1] += 1
             start[joints.second[c] + 1] += 1
     for i in range(blocks):
@@ -40,7 +40,7 @@ def neighbours(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, Inde
     other, filled = counts(start[blocks]), same_counts(start, blocks)
     for c in range(len(joints.first)):
         a, b = joints.first[c], joints.second[c]
-        if tied(joints, c, bodies):
+        if coupled(joints, c, bodies):
             other[filled[a]], other[filled[b]] = b, a
             filled[a] += 1
             filled[b] += 1
@@ -48,7 +48,9 @@ def neighbours(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, Inde
 
 
 @called
-def layers(place: Index, start: Index, other: Index, root: int, count: int) -> tuple[int, int]:
+def number_layers(
+    place: Index, start: Index, other: Index, root: int, count: int
+) -> tuple[int, int]:
     """Number the unnumbered blocks connected to `root` from `count` on, by breadth-first search.
 
     place: (n,) the numbers, -1 for unnumbered blocks. Returns the count after that, and the last
@@ -69,7 +71,7 @@ def layers(place: Index, start: Index, other: Index, root: int, count: int) -> t
 
 
 @called
-def arranged(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int]:
+def band_ordering(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int]:
     """An ordering (n,) in which coupled blocks are close, and the largest distance of two of them.
 
     Blocks are numbered by breadth-first search from a block far from others (Cuthill and McKee
@@ -82,17 +84,17 @@ def arranged(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int]:
     for root in range(blocks):
         if place[root] < 0:
             trial = same_counts(place, blocks)
-            _, far = layers(trial, start, other, root, count)
-            count, _ = layers(place, start, other, far, count)
+            _, far = number_layers(trial, start, other, root, count)
+            count, _ = number_layers(place, start, other, far, count)
     apart = 0 * blocks
     for c in range(len(joints.first)):
-        if tied(joints, c, bodies):
+        if coupled(joints, c, bodies):
             apart = larger(apart, abs(place[joints.first[c]] - place[joints.second[c]]))
     return place, apart
 
 
 @called
-def numbered(bodies: Bodies, place: Index) -> tuple[Index, int]:
+def equation_numbers(bodies: Bodies, place: Index) -> tuple[Index, int]:
     """The equation (6 n,) of each of the six velocities of each block, and the number of equations.
 
     Equations follow the ordering `place` (n,) of the blocks; -1 for a locked velocity.
@@ -111,8 +113,8 @@ def numbered(bodies: Bodies, place: Index) -> tuple[Index, int]:
 
 
 @called
-def width(joints: Joints, row: Index, blocks: int) -> int:
-    """The half-width of the band of equations `row` (see `numbered`), by the contacts of blocks."""
+def half_width(joints: Joints, row: Index, blocks: int) -> int:
+    """The half-width of the band of the equations `row` that `equation_numbers` returns."""
     far = 5 + 0 * blocks
     for c in range(len(joints.first)):
         a, b = joints.first[c], joints.second[c]

@@ -58,7 +58,7 @@ def projected(
 
 
 @inlined
-def yielding(across: float, pull: Triple, mu: float) -> float:
+def normal_mobility(across: float, pull: Triple, mu: float) -> float:
     """The mobility [1/kg] by which a normal velocity is divided to get the normal impulse.
 
     Friction grows with the normal impulse, and through the lever arms changes the normal velocity
@@ -81,7 +81,7 @@ def sweep(
             continue
         u = relative(joints, c, v, w)
         had = dot(before, n)
-        yields = yielding(joints.across[c], at(joints.pull, c), friction.mu)
+        yields = normal_mobility(joints.across[c], at(joints.pull, c), friction.mu)
         normal = larger(0.0, had - (dot(u, n) - friction.need[c]) / yields)
         if normal == 0.0 and dot(before, before) == 0.0:
             continue
@@ -121,8 +121,8 @@ def solve_contacts(
     At least `fewest` sweeps are made, unless the residual is zero. Returns the number of sweeps and
     the residual, which exceeds the tolerance if `most` sweeps were not enough.
     """
-    way, before = nil_rows(len(p)), rows(len(p))
-    way_v, before_v, way_w, before_w = (
+    direction, before = nil_rows(len(p)), rows(len(p))
+    direction_v, before_v, direction_w, before_w = (
         nil_rows(len(v)),
         rows(len(v)),
         nil_rows(len(w)),
@@ -131,12 +131,12 @@ def solve_contacts(
     last, left = 0.0, residual(p, joints, friction, v, w)
     sweeps = 0
     while (left > tolerance or (sweeps < fewest and left > 0.0)) and sweeps < most:
-        keep(before, p)
-        keep(before_v, v)
-        keep(before_w, w)
+        copy_rows(before, p)
+        copy_rows(before_v, v)
+        copy_rows(before_w, w)
         sweep(p, joints, bodies, friction, v, w)
         sweeps += 1
-        size, largest = changed(p, before, joints)
+        size, largest = change_of(p, before, joints)
         if (largest <= tolerance and sweeps >= fewest) or sweeps == most:
             left = residual(p, joints, friction, v, w)
             if left <= tolerance or sweeps == most:
@@ -144,14 +144,14 @@ def solve_contacts(
         share = size / last if last > 0.0 else 0.0
         last = size
         goes_on = share <= 1.0
-        follow(way, before, p, share, goes_on)
-        follow(way_v, before_v, v, share, goes_on)
-        follow(way_w, before_w, w, share, goes_on)
+        follow_direction(direction, before, p, share, goes_on)
+        follow_direction(direction_v, before_v, v, share, goes_on)
+        follow_direction(direction_w, before_w, w, share, goes_on)
     return sweeps, left
 
 
 @lent
-def changed(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
+def change_of(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
     """The squared norm [N2 s2] of the change of impulses, and its largest effect [m/s]."""
     size, largest = 0.0, 0.0
     for c in range(len(p)):
@@ -164,27 +164,29 @@ def changed(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
 
 
 @lent
-def keep(kept: Vector, rows: Vector) -> None:
+def copy_rows(kept: Vector, rows: Vector) -> None:
     """Copy rows (k, 3) into kept; for a slice, numba would compile its error messages."""
     for k in range(len(rows)):
         put(kept, k, at(rows, k))
 
 
 @lent
-def follow(way: Vector, before: Vector, now: Vector, share: float, goes_on: bool) -> None:
-    """Add `share` times the search direction `way` (k, 3) to `now`, and update the direction.
+def follow_direction(
+    direction: Vector, before: Vector, now: Vector, share: float, goes_on: bool
+) -> None:
+    """Add `share` times the search direction `direction` (k, 3) to `now`, and update the direction.
 
     The new direction is share times the old one plus the last change, or zero if it is restarted
     (not `goes_on`). Velocities depend linearly on impulses, so that the same holds for both.
     """
-    for k in range(len(way)):
+    for k in range(len(direction)):
         change = add_scaled(at(now, k), -1.0, at(before, k))
-        ahead = add_scaled((0.0, 0.0, 0.0), share, at(way, k))
+        ahead = add_scaled((0.0, 0.0, 0.0), share, at(direction, k))
         if goes_on:
-            put(way, k, add_scaled(ahead, 1.0, change))
+            put(direction, k, add_scaled(ahead, 1.0, change))
             put(now, k, add_scaled(at(now, k), 1.0, ahead))
         else:
-            put(way, k, (0.0, 0.0, 0.0))
+            put(direction, k, (0.0, 0.0, 0.0))
 
 
 @called

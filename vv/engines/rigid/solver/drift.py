@@ -13,9 +13,9 @@ import numpy as np
 from vv.engines.kernels.arrays import rows, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
-from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
-from vv.engines.rigid.solver.cone import Friction, keep, limit
-from vv.engines.rigid.solver.momentum import carried
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
+from vv.engines.rigid.solver.cone import Friction, copy_rows, limit
+from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.scene import Vector
 
 CARRIED, WATCHED, SETTLED = 600, 200, 100  # sweeps at first, to measure drift, after a leap
@@ -24,13 +24,13 @@ WORSE = 2.0  # largest ratio of the residual after a leap to the least one so fa
 
 
 @called
-def drifted(
+def leap_sweeps(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     tolerance: float, fewest: int, most: int,
 ) -> tuple[int, float]:  # fmt: skip
-    """Iterate p (c, 3) with leaps; arguments and results are those of `carried`."""
+    """Iterate p (c, 3) with leaps; arguments and results are those of `momentum_sweeps`."""
     few = smaller(CARRIED, most)
-    sweeps, left = carried(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+    sweeps, left = momentum_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
     before, here, here_v, here_w = rows(len(p)), rows(len(p)), rows(len(v)), rows(len(w))
     ahead, least = AHEAD, left
     for part in range(1, 2 + 2 * most // WATCHED):
@@ -38,19 +38,19 @@ def drifted(
             break
         watching = part % 2 == 1
         if watching:
-            keep(before, p)
+            copy_rows(before, p)
         few = smaller(WATCHED if watching else SETTLED, most - sweeps)
-        more, now = carried(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        more, now = momentum_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
         sweeps += more
         if watching and now > tolerance:
-            keep(here, p)
-            keep(here_v, v)
-            keep(here_w, w)
+            copy_rows(here, p)
+            copy_rows(here_v, v)
+            copy_rows(here_w, w)
             leap(p, before, joints, bodies, friction, v, w, ahead)
         elif now > WORSE * least:
-            keep(p, here)
-            keep(v, here_v)
-            keep(w, here_w)
+            copy_rows(p, here)
+            copy_rows(v, here_v)
+            copy_rows(w, here_w)
             ahead, now = SHORTER * ahead, left
         elif not watching:
             ahead *= LONGER
@@ -78,4 +78,4 @@ def leap(
             share = radius / size if size > radius else 1.0
             after = add_scaled(add_scaled(centre, share, left), normal, n)
         put(p, c, after)
-        load_on(joints, c, bodies, v, w, add_scaled(after, -1.0, now))
+        apply_nonzero(joints, c, bodies, v, w, add_scaled(after, -1.0, now))

@@ -35,7 +35,7 @@ def give_back(pairs: Record, batch: Record, velocities: Vector) -> None:
 
 
 @inlined
-def closing(pairs: Record, layer: Record, lane: int) -> Triple:
+def relative_in_lane(pairs: Record, layer: Record, lane: int) -> Triple:
     """The relative velocity of the contact in a lane [m/s]."""
     one = cross(lane_of(pairs.w_first, lane), lane_of(layer.arm_first, lane))
     two = cross(lane_of(pairs.w_second, lane), lane_of(layer.arm_second, lane))
@@ -64,7 +64,7 @@ def tangential_step(layer: Record, lane: int, u: Triple, p: Triple, normal: floa
 
 
 @inlined
-def impelled(velocity: Vector, inverse: Vector, lane: int, sign: float, p: Triple) -> None:
+def add_impulse(velocity: Vector, inverse: Vector, lane: int, sign: float, p: Triple) -> None:
     """Add `sign` times the effect of an impulse, or of its moment, to a velocity or spin."""
     velocity[0, lane] += sign * (
         inverse[0, lane] * p[0] + inverse[1, lane] * p[1] + inverse[2, lane] * p[2]
@@ -78,10 +78,14 @@ def impelled(velocity: Vector, inverse: Vector, lane: int, sign: float, p: Tripl
 
 
 @lent
-def press(pairs: Record, batch: Record, layer: Record) -> None:
+def update_layer(pairs: Record, batch: Record, layer: Record) -> None:
     """Update each contact of a layer; add the changes of impulses to pairs.square and .largest."""
     for lane in range(batch.lanes):
-        n, p, u = lane_of(layer.normal, lane), lane_of(layer.p, lane), closing(pairs, layer, lane)
+        n, p, u = (
+            lane_of(layer.normal, lane),
+            lane_of(layer.p, lane),
+            relative_in_lane(pairs, layer, lane),
+        )
         had = dot(p, n)
         normal = normal_step(layer, lane, u, had)
         u = add_scaled(u, normal - had, lane_of(layer.pull, lane))
@@ -89,10 +93,10 @@ def press(pairs: Record, batch: Record, layer: Record) -> None:
         change = add_scaled(after, -1.0, p)
         one = cross(lane_of(layer.arm_first, lane), change)
         two = cross(lane_of(layer.arm_second, lane), change)
-        impelled(pairs.v_first, batch.inverse_first, lane, -1.0, change)
-        impelled(pairs.w_first, batch.spin_first, lane, -1.0, one)
-        impelled(pairs.v_second, batch.inverse_second, lane, 1.0, change)
-        impelled(pairs.w_second, batch.spin_second, lane, 1.0, two)
+        add_impulse(pairs.v_first, batch.inverse_first, lane, -1.0, change)
+        add_impulse(pairs.w_first, batch.spin_first, lane, -1.0, one)
+        add_impulse(pairs.v_second, batch.inverse_second, lane, 1.0, change)
+        add_impulse(pairs.w_second, batch.spin_second, lane, 1.0, two)
         set_lane(layer.p, lane, after)
         square = dot(change, change)
         pairs.square[lane] += square
@@ -100,7 +104,7 @@ def press(pairs: Record, batch: Record, layer: Record) -> None:
 
 
 @lent
-def swept(
+def sweep_batches(
     pairs: Record, batches: Record, layers: Record, velocities: Vector
 ) -> tuple[float, float]:
     """One pass over all batches; the results are those of `changed`."""
@@ -109,7 +113,7 @@ def swept(
     for k in range(len(batches)):
         fetch(pairs, batches[k], velocities)
         for m in range(batches[k].begin, batches[k].end):
-            press(pairs, batches[k], layers[m])
+            update_layer(pairs, batches[k], layers[m])
         give_back(pairs, batches[k], velocities)
     size, largest = 0.0, 0.0
     for lane in range(LANES):

@@ -15,7 +15,7 @@ from vv.engines.kernels.compiled import called, lent
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
 from vv.engines.rigid.solver.cone import Friction, residual
-from vv.engines.rigid.solver.lanes import swept
+from vv.engines.rigid.solver.lanes import sweep_batches
 from vv.scene import Vector
 
 CAP, LEAST, MOST = 0.93, 0.5, 0.98  # the cap at first, and its bounds
@@ -26,7 +26,7 @@ LOWERED, RAISED = 1.6, 0.75  # factors on 1 - cap in these two cases
 
 
 @called
-def carried(
+def momentum_sweeps(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     tolerance: float, fewest: int, most: int,
 ) -> tuple[int, float]:  # fmt: skip
@@ -37,17 +37,17 @@ def carried(
     """
     batches, layers, place = packed(p, joints, bodies, friction)
     pairs = pairs_room(1)
-    now, last = together(v, w), together(v, w)
+    now, last = joined(v, w), joined(v, w)
     sweeps, left = 0 * most, residual(p, joints, friction, v, w)
     cap, pace, total, least, former, looked = CAP, 1.0, 0.0, np.inf, np.inf, -LOOKS
     while (left > tolerance or (sweeps < fewest and left > 0.0)) and sweeps < most:
-        size, largest = swept(pairs[0], batches, layers, now)
+        size, largest = sweep_batches(pairs[0], batches, layers, now)
         sweeps += 1
         close = largest <= 2.0 * tolerance and sweeps >= fewest and sweeps >= looked + LOOKS
         if close or sweeps == most:
             looked = sweeps
             unpacked(p, layers, place)
-            taken_apart(now, v, w)
+            separated(now, v, w)
             left = residual(p, joints, friction, v, w)
             if left <= tolerance or sweeps == most:
                 break
@@ -64,14 +64,14 @@ def carried(
                     cap = smaller(MOST, 1.0 - RAISED * (1.0 - cap))
                 least = smaller(least, total)
             former, total = total, 0.0
-        carry(now, last, share)
+        extrapolate(now, last, share)
         for k in range(len(layers)):
-            carry(layers[k].p, layers[k].last, share)
+            extrapolate(layers[k].p, layers[k].last, share)
     return sweeps, left
 
 
 @called
-def together(v: Vector, w: Vector) -> Vector:
+def joined(v: Vector, w: Vector) -> Vector:
     """An array (b, 6) of the velocities and spins."""
     made = table(len(v), 6)
     for i in range(len(v)):
@@ -81,7 +81,7 @@ def together(v: Vector, w: Vector) -> Vector:
 
 
 @lent
-def taken_apart(velocities: Vector, v: Vector, w: Vector) -> None:
+def separated(velocities: Vector, v: Vector, w: Vector) -> None:
     """Fill v, w (b, 3) from an array of both (b, 6)."""
     for i in range(len(v)):
         for k in range(3):
@@ -89,7 +89,7 @@ def taken_apart(velocities: Vector, v: Vector, w: Vector) -> None:
 
 
 @lent
-def carry(now: Vector, last: Vector, share: float) -> None:
+def extrapolate(now: Vector, last: Vector, share: float) -> None:
     """Extrapolate `now` (k, m) by a share of its change since `last`, which becomes the old now."""
     for k in range(now.shape[0]):
         for m in range(now.shape[1]):

@@ -25,16 +25,16 @@ from vv.engines.kernels.arrays import (
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
-from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on, relative, times
-from vv.engines.rigid.solver.banded import eliminate, numbered, width
-from vv.engines.rigid.solver.cone import Friction, keep, limit
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
+from vv.engines.rigid.solver.banded import eliminate, equation_numbers, half_width
+from vv.engines.rigid.solver.cone import Friction, copy_rows, limit
 from vv.scene import Vector
 
-NIL = (0.0, 0.0, 0.0)
+ZERO = (0.0, 0.0, 0.0)
 
 
 @lent
-def allowed(
+def projected_impulse(
     joints: Joints, c: int, friction: Friction, stiffness: float,
     q: Triple, u: Triple, slope: Vector,
 ) -> Triple:  # fmt: skip
@@ -46,7 +46,7 @@ def allowed(
     un = dot(u, n)
     normal = dot(q, n) - stiff * (un - friction.need[c])
     if normal <= 0.0:
-        return NIL
+        return ZERO
     d, turn = at(friction.d, c), at(friction.turn, c)
     flat = add_scaled(add_scaled(q, -dot(q, n), n), -along, add_scaled(u, -un, n))
     centre, radius = limit(cap * normal, d, turn)
@@ -54,10 +54,10 @@ def allowed(
     size = np.sqrt(dot(left, left))
     slips = size > radius
     share = radius / size if slips else 1.0
-    e = add_scaled(NIL, 1.0 / size, left) if slips else NIL
-    drift = NIL  # derivative of the tangential impulse with respect to the normal one
+    e = add_scaled(ZERO, 1.0 / size, left) if slips else ZERO
+    drift = ZERO  # derivative of the tangential impulse with respect to the normal one
     if slips:
-        drift = add_scaled(add_scaled(NIL, (1.0 - share) / normal, centre), radius / normal, e)
+        drift = add_scaled(add_scaled(ZERO, (1.0 - share) / normal, centre), radius / normal, e)
         drift = add_scaled(drift, share * dot(e, centre) / normal, e)
     for i in range(3):
         for j in range(3):
@@ -67,7 +67,7 @@ def allowed(
 
 
 @called
-def levers(joints: Joints, blocks: int) -> Vector:
+def longest_arms(joints: Joints, blocks: int) -> Vector:
     """The longest lever arm (n,) [m] of each block, which makes velocities of its spins.
 
     Pivots are chosen among velocities and spins, and must not depend on the unit of length.
@@ -86,7 +86,7 @@ def levers(joints: Joints, blocks: int) -> Vector:
 
 
 @lent
-def column(joints: Joints, c: int, side: int, k: int, lever: float) -> Triple:
+def velocity_per_unknown(joints: Joints, c: int, side: int, k: int, lever: float) -> Triple:
     """The change of the relative velocity at contact c per unit of unknown k of a body, 0 <= k < 6.
 
     side: 0 for the first body, 1 for the second. Unknowns 3 to 5 are spins times a lever [m].
@@ -94,28 +94,28 @@ def column(joints: Joints, c: int, side: int, k: int, lever: float) -> Triple:
     axis = (1.0 * (k % 3 == 0), 1.0 * (k % 3 == 1), 1.0 * (k % 3 == 2))
     if k >= 3:
         arm = at(joints.arm_second if side else joints.arm_first, c)
-        axis = add_scaled(NIL, 1.0 / lever, cross(axis, arm))
-    return axis if side else add_scaled(NIL, -1.0, axis)
+        axis = add_scaled(ZERO, 1.0 / lever, cross(axis, arm))
+    return axis if side else add_scaled(ZERO, -1.0, axis)
 
 
 @lent
-def spread(
+def add_stiffness(
     matrix: Vector, joints: Joints, c: int, bodies: Bodies, rows_of: Index, half: int,
     slope: Vector, lever: Vector,
 ) -> None:  # fmt: skip
-    """Add W J^T slope J of contact c to a matrix for `eliminate`; rows_of: from `numbered`."""
+    """Add W J^T slope J of contact c to a matrix for `eliminate`; rows_of: equation numbers."""
     blocks = len(rows_of) // 6
     for side in range(2):
         j = joints.second[c] if side else joints.first[c]
         for k in range(6 if j < blocks else 0):
             if rows_of[6 * j + k] < 0:
                 continue
-            u = column(joints, c, side, k, lever[j])
+            u = velocity_per_unknown(joints, c, side, k, lever[j])
             p = (dot(at(slope, 0), u), dot(at(slope, 1), u), dot(at(slope, 2), u))
             for other in range(2):
                 i = joints.second[c] if other else joints.first[c]
                 if i < blocks:
-                    pull = p if other else add_scaled(NIL, -1.0, p)
+                    pull = p if other else add_scaled(ZERO, -1.0, p)
                     arm = at(joints.arm_second if other else joints.arm_first, c)
                     v = times(bodies.inverse, i, pull)
                     w = times(bodies.inverse_spin, i, cross(arm, pull))
@@ -127,7 +127,7 @@ def spread(
 
 
 @called
-def balanced(
+def newton_round(
     p: Vector, q: Vector, joints: Joints, bodies: Bodies, friction: Friction,
     v: Vector, w: Vector, tolerance: float, stiffness: float, place: Index,
 ) -> bool:  # fmt: skip
@@ -137,21 +137,21 @@ def balanced(
     tolerance [m/s] in the last step. place: see `arranged`.
     """
     blocks = len(place)
-    rows_of, m = numbered(bodies, place)
-    half, lever = width(joints, rows_of, blocks), levers(joints, blocks)
+    rows_of, m = equation_numbers(bodies, place)
+    half, lever = half_width(joints, rows_of, blocks), longest_arms(joints, blocks)
     x, y = same_rows(v, len(v)), same_rows(w, len(w))
     z, o = rows(len(v)), rows(len(w))
     slope, right, matrix = nil_squares(1)[0], numbers(m), table(m, 3 * half + 1)
     for _ in range(INNER):
         clear(matrix)
-        keep(z, v)
-        keep(o, w)
+        copy_rows(z, v)
+        copy_rows(o, w)
         for c in range(len(p)):
             if joints.across[c] > 0.0:
                 u = relative(joints, c, x, y)
-                put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
-                spread(matrix, joints, c, bodies, rows_of, half, slope, lever)
-                load_on(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
+                put(p, c, projected_impulse(joints, c, friction, stiffness, at(q, c), u, slope))
+                add_stiffness(matrix, joints, c, bodies, rows_of, half, slope, lever)
+                apply_nonzero(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
         most = 0.0
         for i in range(blocks):
             for r in range(6):

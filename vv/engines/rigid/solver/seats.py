@@ -6,7 +6,7 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import counts, larger, nil_counts, same_counts
 from vv.engines.kernels.compiled import called
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.banded import moving
+from vv.engines.rigid.solver.banded import can_move
 
 LANES = 8
 DEPTH = 8  # most contacts of a pair in a lane; further contacts go to another lane
@@ -49,7 +49,7 @@ def seated(joints: Joints, bodies: Bodies, run: Index, begin: Index) -> tuple[In
     for r in range(many):
         for body in (joints.first[begin[r]], joints.second[begin[r]]):
             degree[body] += 1
-            if moving(bodies, body):
+            if can_move(bodies, body):
                 most = larger(most, degree[body])
     limit = many // LANES + 2 * most + 1
     taken = nil_counts(b * limit)
@@ -67,8 +67,8 @@ def seated(joints: Joints, bodies: Bodies, run: Index, begin: Index) -> tuple[In
             filled[k] += 1
             depth[k] = larger(depth[k], size[r])
             last = larger(last, k + 1)
-            taken[one * limit + k] += 1 if moving(bodies, one) else 0
-            taken[two * limit + k] += 1 if moving(bodies, two) else 0
+            taken[one * limit + k] += 1 if can_move(bodies, one) else 0
+            taken[two * limit + k] += 1 if can_move(bodies, two) else 0
             while filled[begun] == LANES:
                 begun += 1
     return seat, same_counts(depth, last)
