@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import pprint
 from collections.abc import Iterator, Sequence
@@ -82,7 +83,7 @@ class Yade:
 
     def found(self) -> Found:
         """Look for the package's folder."""
-        return find()
+        return dataclasses.replace(find(), may_wait=self.program.may_wait)
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """Why YADE cannot represent the ask although it has every term; None if it can."""

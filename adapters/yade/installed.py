@@ -32,7 +32,7 @@ def _find(chosen: str) -> Found:
             inside = [(folder / name).resolve() for name in (*LIBRARIES, *MODULES)]
             files = [PYTHON.resolve(), *inside]
             present = tuple(path for path in files if path.is_file())
-            return Found(True, _version(folder), str(folder), HOW, present, waits=True)
+            return Found(True, _version(folder), str(folder), HOW, present)
     return Found(False, how_to_install=HOW)
 
 

@@ -9,16 +9,13 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from types import SimpleNamespace
-from typing import cast
 
 import pytest
 
 from vv.ask import Run, Status
 from vv.codes import external
-from vv.codes.adapter import Adapter
 from vv.codes.external import Process
-from vv.codes.reused_program import ReusedProgram, kept_waiting
+from vv.codes.reused_program import ReusedProgram
 
 # answers each ask with its process, but ends at one that says `die`, and stops at `hang`
 PROGRAM = """
@@ -135,14 +132,11 @@ def test_one_that_is_not_awaited_to_its_end_does_not_wait(
     assert not runs(first.reason)
 
 
-def test_a_worker_lets_the_program_of_its_own_adapter_wait_and_no_other(
-    program: ReusedProgram, tmp_path: Path
-) -> None:
+def test_one_waits_only_in_its_own_block(program: ReusedProgram, tmp_path: Path) -> None:
     other = ReusedProgram()
-    with kept_waiting(cast(Adapter, SimpleNamespace(program=other))):
+    with other.may_wait():
         (ended,) = answers(program, tmp_path / "one", "a")
-    with kept_waiting(cast(Adapter, SimpleNamespace(program=program))):
+    with program.may_wait():
         (waits,) = answers(program, tmp_path / "two", "a")
-    with kept_waiting(cast(Adapter, SimpleNamespace(program="a path"))):
         (other_ended,) = answers(other, tmp_path / "three", "a")
     assert [runs(run.reason) for run in (ended, waits, other_ended)] == [False, True, False]

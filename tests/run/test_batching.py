@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import socket
 from pathlib import Path
@@ -155,7 +156,7 @@ def test_the_schemes_that_come_last_are_shared_out_where_they_have_many_jobs(
 def test_programs_come_code_by_code_and_a_worker_stays_with_one_that_waits(tmp_path: Path) -> None:
     cases = ["single-contact", "responding-block:1d"]
     codes = {"dem": Found(True), "liggghts": Found(True, files=(tmp_path,))}
-    codes["yade"] = Found(True, files=(tmp_path,), waits=True)
+    codes["yade"] = Found(True, files=(tmp_path,), may_wait=contextlib.nullcontext)
     plan = make_plan(Project(ROOT), cases, Options(codes=tuple(codes)))
     plan = dataclasses.replace(plan, found=codes)
     jobs = sorted(enumerate(plan.jobs), key=lambda job: (job[1].scheme != "default", job[1].code))

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 from vv.ask import Run, Status
+from vv.codes import Found
 from vv.codes.reused_program import ReusedProgram
 from vv.run.process import Batch
 from vv.run.runner import _Worker, run_batches
@@ -24,6 +25,10 @@ class Deadly:
 
     def __init__(self, dies: int, hangs: int, takes: float = 0.0) -> None:
         self.dies, self.hangs, self.takes = dies, hangs, takes
+
+    def found(self) -> Found:
+        """It is always there."""
+        return Found(True)
 
     def run(self, asks: Sequence[Any], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """One Run for each ask, as far as it comes."""
@@ -51,6 +56,10 @@ class Starting(Deadly):
     def __init__(self) -> None:
         super().__init__(-1, -1)
         self.program = ReusedProgram()
+
+    def found(self) -> Found:
+        """Its program may wait where it is let."""
+        return Found(True, may_wait=self.program.may_wait)
 
     def run(self, asks: Sequence[Any], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """One Run for each ask."""

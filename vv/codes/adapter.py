@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
@@ -12,6 +13,7 @@ import numpy as np
 from vv.ask import Ask, Displacement, Method, Model, Run, SearchVariable, Status, Velocity
 from vv.scene import Form, Scene, Term, in_frame
 
+Waiting = Callable[[], AbstractContextManager[None]]
 # The classes of a leapfrog with springs where a scene has rigid contact, and where dashpots take
 # the velocity of half a step before.
 LEAPFROG_ON_SPRINGS: Mapping[Term, Method] = {
@@ -57,8 +59,8 @@ class Found:
     """Whether a code can run here.
 
     files: what its results depend on besides our sources. load: loads into memory what every worker
-    needs, once, before workers are forked. waits: whether its program, after an answer, waits in
-    its worker for more asks (`vv.codes.reused_program`).
+    needs, once, before workers are forked. may_wait: gives a block in which its program, after an
+    answer, waits for more asks (`vv.codes.reused_program`); None if the program always ends.
     """
 
     installed: bool
@@ -67,7 +69,7 @@ class Found:
     how_to_install: str = ""
     files: tuple[Path, ...] = ()
     load: Callable[[], None] | None = None
-    waits: bool = False
+    may_wait: Waiting | None = None
 
     @property
     def worker_stays(self) -> bool:
@@ -75,7 +77,7 @@ class Found:
 
         A code without files is computed in the worker itself.
         """
-        return self.waits or not self.files
+        return self.may_wait is not None or not self.files
 
 
 class Adapter(Protocol):

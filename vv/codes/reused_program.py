@@ -9,11 +9,9 @@ from __future__ import annotations
 import contextlib
 import subprocess
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager
 from pathlib import Path
 
 from vv.codes import external
-from vv.codes.adapter import Adapter
 from vv.codes.external import Process
 
 
@@ -58,14 +56,6 @@ class ReusedProgram:
             self._waiting = program
             return
         _end(program, whole)
-
-
-def kept_waiting(adapter: Adapter) -> AbstractContextManager[None]:
-    """Let the program of an adapter wait for more, where it has one in `program` that can."""
-    program = getattr(adapter, "program", None)
-    if isinstance(program, ReusedProgram):
-        return program.may_wait()
-    return contextlib.nullcontext()
 
 
 def _told(program: Process, listed: Path) -> bool:

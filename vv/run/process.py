@@ -17,7 +17,6 @@ from pathlib import Path
 from vv.ask import Ask, Run, Status
 from vv.base.processes import adopt_orphans, end_children, end_descendants
 from vv.codes.adapter import Adapter
-from vv.codes.reused_program import kept_waiting
 from vv.run.search import answers
 
 
@@ -54,7 +53,8 @@ def work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: 
         os.dup2(log.fileno(), 1)
         os.dup2(log.fileno(), 2)
     batch = known[0]
-    with kept_waiting(batch.adapter):
+    may_wait = batch.adapter.found().may_wait or contextlib.nullcontext
+    with may_wait():
         while _answered(batch, pipe, scratch) and batch.stays and len(known) > 1:
             batch = known[orders.recv()]
     end_children()  # programs that wait for more, and what one has left behind
