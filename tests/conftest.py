@@ -5,8 +5,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import hypothesis
 import pytest
 
+# A busy machine fails no test: the time that an example takes says nothing of the code.
+hypothesis.settings.register_profile("vv", deadline=None)
+hypothesis.settings.load_profile("vv")
 TINY = Path(__file__).parent / "support" / "tiny"
 
 

@@ -34,7 +34,7 @@ from vv.scene import Block, Scene, Spheres, Vector, rotated, with_bodies_reverse
 OURS: tuple[Adapter, ...] = (
     adapters.dem.ADAPTER, adapters.exact.ADAPTER, adapters.rigid.ADAPTER, adapters.dda.ADAPTER
 )  # fmt: skip
-FEW = settings(max_examples=6, deadline=None, derandomize=True,
+FEW = settings(max_examples=6, derandomize=True,
                suppress_health_check=list(HealthCheck))  # fmt: skip
 MANY = settings(FEW, max_examples=60)
 ENDS = {Status.RAN, Status.REFUSED, Status.DIVERGED}

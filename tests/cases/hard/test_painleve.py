@@ -29,7 +29,7 @@ def test_the_paradox_begins_at_four_thirds_where_the_force_has_no_bound() -> Non
 
 
 @given(st.floats(0.55, 1.2), st.floats(1.6, 2.5))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_the_two_routes_agree_while_it_slides(mu: float, slope: float) -> None:
     theta = math.atan(slope)
     if mu > 0.9 * closed.critical(slope):

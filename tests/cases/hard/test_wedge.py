@@ -20,7 +20,7 @@ CASE = find().load_case("wedge")
 
 
 @given(st.floats(1e-6, 3.0), st.floats(1.0, 80.0), st.floats(0.0, 0.9))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_the_two_routes_agree(xi: float, dip: float, held: float) -> None:
     mu = held * math.tan(math.radians(dip)) * math.sin(xi / 2)
     law = {"dip": dip, "xi": xi, "mu": mu, "g": 9.81}

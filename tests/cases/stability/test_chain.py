@@ -47,7 +47,7 @@ def test_the_two_routes_agree_on_a_pulse(jump: float) -> None:
 
 
 @given(st.floats(1e-3, 0.9), st.floats(1.1, 9.0))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_the_two_routes_agree_on_what_a_jump_sends_back(q: float, M: float) -> None:
     if math.sqrt(M) * math.sin(q / 2) < 0.999:
         assert stepped.reflected(q, 1.0, M) == pytest.approx(closed.reflected(q, 1.0, M, K))

@@ -23,7 +23,7 @@ CASE = find().load_case("damped-swing")
 
 
 @given(st.floats(1e-2, 1e2), st.floats(0.0, 1.0))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_the_two_routes_agree(angle: float, radius: float) -> None:
     assert theory.polynomial(angle, radius) == pytest.approx(
         np.poly(taken.amplification(angle, radius)), rel=1e-10, abs=1e-12

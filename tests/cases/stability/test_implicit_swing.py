@@ -23,7 +23,7 @@ CASE = find().load_case("implicit-swing")
 
 
 @given(st.floats(1e-3, 1e4))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_the_two_routes_agree(angle: float) -> None:
     assert np.abs(taken.roots(angle)).max() == pytest.approx(
         theory.spectral_radius(angle), rel=1e-7

@@ -26,7 +26,7 @@ ANGLES = (1e-2, 0.3, 1.0, 1.9)
 
 
 @given(st.floats(1e-3, 1.99))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_the_two_routes_agree(angle: float) -> None:
     assert stepped.phase_per_step(angle) == pytest.approx(theory.phase_per_step(angle), rel=1e-9)
     assert stepped.stiffness(angle) == pytest.approx(theory.stiffness(angle), abs=1e-8)

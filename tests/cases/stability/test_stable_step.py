@@ -32,7 +32,7 @@ def test_the_published_scheme_on_t2_has_the_known_limit() -> None:
 
 
 @given(st.floats(0.1, 1e4), st.floats(0.0, 3.0))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_the_two_routes_agree(w: float, ratio: float) -> None:
     n = ratio * w
     # the radius is flat to rounding about a double root, and the bisection as sharp as its root

@@ -44,7 +44,7 @@ def roots(O: float, way: Formulation) -> Vector:
     return np.asarray(np.roots([1.0, -trace, det]))
 
 
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 @given(st.floats(0.05, 3.9))
 def test_a_bouncing_block_is_damped_by_the_published_spectral_radius(O: float) -> None:
     found = roots(O, DEFAULT)

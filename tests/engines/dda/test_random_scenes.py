@@ -55,7 +55,7 @@ def unended(scene: Scene, dt: float, kn: float, way: Formulation) -> float:
     return float(program.arguments[2][-1, FAILED])
 
 
-@settings(deadline=None, max_examples=15, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=15, suppress_health_check=[HealthCheck.too_slow])
 @given(st.integers(0, 10**6), st.integers(2, 4), st.sampled_from([0.1, 0.4, 1.5]))
 def test_no_step_ends_with_contacts_that_still_change(seed: int, count: int, mu: float) -> None:
     scene = Scene((FLOOR, *thrown(seed, count)), Contact(math.inf, mu=mu), gravity=DOWN)

@@ -32,7 +32,7 @@ def created(done: Run) -> float:
     return seen / allowed
 
 
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=25)
 @given(st.floats(1, 7), st.floats(0, 6.28), st.sampled_from([1e9, 1e10, 1e12]))
 def test_a_slide_of_few_steps_ends_where_it_should_and_nothing_creeps_on(
     steps: float, direction: float, kn: float

@@ -55,7 +55,7 @@ def path(program: PreparedSpheres) -> Vector:
     return observed
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(seed=st.integers(0, 10**6), mu=st.sampled_from([0.05, 0.3, 2.0]))
 def test_colliding_spheres_keep_momentum_and_angular_momentum(seed: int, mu: float) -> None:
     scene = colliding(seed, mu)
@@ -70,7 +70,7 @@ def test_colliding_spheres_keep_momentum_and_angular_momentum(seed: int, mu: flo
     assert np.abs(moment - moment[0]).max() <= 1e-12 * np.abs(inertia * w[0]).sum()
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(seed=st.integers(0, 10**6), mu=st.sampled_from([0.05, 0.3]))
 def test_friction_takes_energy_and_never_gives_any(seed: int, mu: float) -> None:
     run, _ = solved(colliding(seed, mu), 2e-4)
@@ -90,7 +90,7 @@ def test_the_energy_error_of_the_general_kernel_is_second_order(mu: float) -> No
     assert np.log(errors[0] / errors[2]) / np.log(16) == pytest.approx(2, abs=0.25)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(seed=st.integers(0, 10**6))
 def test_a_turned_scene_gives_the_turned_answer(seed: int) -> None:
     scene = colliding(seed)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from vv.engines.exact.roots import first_descent_below_zero
@@ -21,7 +21,6 @@ def from_roots(roots: list[float]) -> list[float]:
     return [float(x) for x in c]
 
 
-@settings(deadline=None)  # the first call compiles
 @given(ROOTS)
 def test_the_first_fall_is_found_whatever_comes_after(roots: list[float]) -> None:
     apart = [root + 0.05 * rank for rank, root in enumerate(sorted(roots[:4]))]
@@ -35,7 +34,6 @@ def test_two_falls_close_together_are_not_taken_for_none(apart: float) -> None:
     assert found == pytest.approx(0.4, abs=1e-3 * apart)
 
 
-@settings(deadline=None)  # the first call compiles
 @given(ROOTS)
 def test_a_polynomial_that_only_touches_zero_does_not_fall(roots: list[float]) -> None:
     touching = from_roots([root for root in roots[:3] for _ in range(2)])

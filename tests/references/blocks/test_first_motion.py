@@ -26,7 +26,7 @@ def error(route: ModuleType, psi: float, phi: float, delta: float) -> float:
 
 
 @given(ANGLE, ANGLE, ANGLE)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_the_two_routes_agree(psi: float, phi: float, delta: float) -> None:
     assert error(first_motion, psi, phi, delta) < 1e-9
 

@@ -84,7 +84,7 @@ def test_the_two_routes_agree(changes: Parameters) -> None:
     quarters=st.integers(1, 20),
     launch=st.integers(-4, 4),
 )
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_they_agree_over_the_class(
     alpha: int, phi: int, A: int, quarters: int, launch: int
 ) -> None:

@@ -45,7 +45,7 @@ def agree(one: ModuleType, other: ModuleType, **law: float) -> bool:
 
 
 @given(st.floats(0.0, 0.4), st.floats(10.0, 15.0))
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_the_two_routes_agree(mu: float, v: float) -> None:
     assert agree(closed, integrated, mu=mu, v=v)
 

@@ -90,7 +90,7 @@ def test_the_two_routes_agree(changes: Parameters) -> None:
 
 
 @given(st.integers(1, 20), st.integers(1, 16), st.integers(1, 30))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_they_agree_over_the_class(tenths: int, quarters: int, twentieths: int) -> None:
     p = {"D": tenths / 10.0, "f": quarters / 4.0, "mu": twentieths / 20.0}
     t = np.linspace(0.0, 6.0 / p["f"], 101)

@@ -135,7 +135,7 @@ def test_friction_opposes_the_velocity_where_a_slip_turns() -> None:
 
 
 @given(st.floats(0.0, 2.0 * pi), st.floats(0.2, 1.0), st.floats(0.0, 4.0))
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_a_slip_may_begin_anywhere_in_the_drive(lag: float, v0: float, p: float) -> None:
     drive = Drive(2.0 * pi, lag, Law(-p, 3.0), Law(p, 3.0))
     history = harmonic_slip.phases(drive, v0, 1.0)

@@ -14,7 +14,7 @@ T = np.linspace(0.0, 0.9, 31)
 
 
 @given(st.floats(0.02, 1.5), st.floats(0.5, 1.5))
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_the_two_routes_agree(theta0: float, lam: float) -> None:
     law = {"theta0": theta0, "lam": lam}
     assert np.abs(closed.angle(T, **law) - integrated.angle(T, **law)).max() < 1e-11

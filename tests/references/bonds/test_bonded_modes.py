@@ -20,7 +20,7 @@ PATH = np.array([[0.0, 0.0, 0.0], [1.0, 0.2, 0.1], [0.3, 1.1, 0.4]]), np.array([
 
 
 @given(st.floats(0.0, 1.0), st.floats(0.1, 10.0))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 def test_the_two_routes_agree(gamma: float, m: float) -> None:
     for position, bonds in (PATH, (CORNERS, EDGES)):
         one, other = (r.fastest_mode(position, bonds, 2.0, 2.0 * gamma, m) for r in (modes, pulled))

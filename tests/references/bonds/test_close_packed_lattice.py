@@ -42,7 +42,7 @@ def test_blocks_have_the_published_numbers_of_elements(N: int) -> None:
 
 
 @given(st.integers(2, 6), st.integers(1, 3), st.integers(1, 3))
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_a_block_is_a_box_of_the_crystal(n: int, p: int, q: int) -> None:
     block = lattice(n, p, q, D)
     assert np.allclose(ordered(block.position / D), ordered(crystal.centres(n, p, q)), atol=1e-12)

@@ -23,7 +23,7 @@ def apart(route: ModuleType, element: Element, fx: float, second: ModuleType = i
 
 
 @given(st.floats(0.0, 30.0), st.floats(0.05, 0.6), st.floats(0.8, 1.5))
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_the_two_routes_agree(fx: float, mu_p: float, stronger: float) -> None:
     element = ELEMENT._replace(mu_p=mu_p, fs0=stronger * ELEMENT.fs0)
     assert apart(confined_unit, element, fx) < 1e-7

@@ -64,7 +64,7 @@ def test_the_two_routes_agree_on_the_pair(changes: Parameters) -> None:
 
 
 @given(st.floats(-0.08, 0.08), st.floats(-1.0, 1.0), st.floats(0.1, 0.8))
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_they_agree_over_the_class(v_t: float, w: float, mu: float) -> None:
     p = {"v_t": v_t, "w": w, "mu": mu, "ks": 1.6e10}
     t = SHORT[::10]

@@ -40,7 +40,7 @@ def agree(z: float, one: ModuleType, other: ModuleType) -> bool:
 
 
 @given(st.floats(0.0, 0.99))
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_the_two_routes_agree(z: float) -> None:
     assert agree(z, closed, integrated)
 
@@ -77,7 +77,7 @@ def returned(run: Run) -> float:
 
 
 @given(st.floats(0.01, 0.99))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_exact_and_dem_return_it_as_the_formula_says(z: float) -> None:
     due, step = closed.restitution(z), 5e-6
     assert abs(returned(exact.solve(asked(z))) - due) < 1e-13

@@ -45,7 +45,7 @@ def test_they_collide_31_times_without_any_rounding() -> None:
 
 
 @given(st.floats(1.1, 1e4), st.floats(0.1, 10.0), st.floats(1.05, 3.0), st.floats(0.1, 10.0))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_the_two_routes_agree(ratio: float, x: float, far: float, v: float) -> None:
     try:
         due = unfolded.collisions(2.0, 2.0 * ratio)

@@ -27,7 +27,7 @@ def agree(impact: Impact, motion: object = oblique_dashpot.motion) -> bool:
 @given(
     st.floats(0.05, 0.9), st.floats(0.02, 3.0), st.floats(0.1, 1.0), st.floats(1e3, 4e4),
 )  # fmt: skip
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=4)
 def test_the_two_routes_agree(z: float, along: float, mu: float, ks: float) -> None:
     assert agree(Impact(2.0, 1e4, ks, mu, z, 0.3, along))
 

@@ -43,7 +43,7 @@ def test_the_two_routes_agree(p: dict[str, float]) -> None:
 
 
 @given(st.floats(20.0, 200.0), st.floats(5e-4, 4e-3))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 def test_they_agree_over_the_class(eta: float, height: float) -> None:
     p = {**DROP, "eta": eta, "height": height}
     begins = [stage.begin for stage in closed.stages(**p)]

@@ -32,7 +32,7 @@ def agree(one: ModuleType, other: ModuleType, **law: float) -> bool:
 
 
 @given(st.floats(0.0, 0.9), st.floats(0.1, 10.0), st.floats(-3.0, 3.0))
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_the_two_routes_agree(z: float, m: float, force: float) -> None:
     law = {"m": m, "k": 60.0, "c": 2 * z * (60.0 * m) ** 0.5, "v": 0.7, "force": force}
     assert agree(closed, integrated, **law)
@@ -49,7 +49,7 @@ def test_what_does_not_swing_is_refused() -> None:
 
 
 @given(st.floats(0.0, 0.4), st.floats(0.0, 0.4), st.sampled_from(["corner", "wall", "viscous"]))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_no_contact_of_the_corner_opens_or_slips(z: float, zn: float, variant: str) -> None:
     p = {**CASE.defaults(variant), "z": z}
     p |= {"zn": zn} if variant == "viscous" else {}

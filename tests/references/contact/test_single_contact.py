@@ -100,7 +100,7 @@ def test_they_agree_when_a_parameter_moves(test: str, name: str, by: float) -> N
     damping=st.one_of(st.floats(0.0, 0.9), st.floats(1e-12, 1e-3)),
     sign=st.sampled_from([-1.0, 1.0]),
 )
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_they_agree_over_the_class(factors: list[float], damping: float, sign: float) -> None:
     p = {name: by * value for by, (name, value) in zip(factors, PAPER.items(), strict=True)}
     m = closed.mass(p["rho"], p["r"])
@@ -174,7 +174,7 @@ def test_t3_grazes_without_slipping() -> None:
 
 
 @given(st.floats(0.0, 0.9238))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_t4_stays_stuck(damping: float) -> None:
     eta = damping * 2.0 * sqrt(PAPER["ks"] * closed.mass(2500.0, 50.0))
     wall = pick(WALL, eta=eta)

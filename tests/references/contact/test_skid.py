@@ -28,7 +28,7 @@ def agree(one: ModuleType, other: ModuleType, **law: float) -> bool:
 
 
 @given(st.floats(0.05, 1.0), st.floats(0.1, 2.0), st.floats(0.5, 3.0))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_the_two_routes_agree(mu: float, ratio: float, vt: float) -> None:
     assume(vt > 1.01 * mu / ratio and vt + mu / ratio > 2.01 * mu)
     assert agree(closed, integrated, m=2.0, kn=3e5, ks=3e5 * ratio, mu=mu, vn=1.0, vt=vt)

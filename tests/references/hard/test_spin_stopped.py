@@ -31,7 +31,7 @@ def agree(one: ModuleType, other: ModuleType, arms: np.ndarray, **law: float) ->
 
 
 @given(st.floats(0.1, 10.0), st.floats(0.1, 10.0), st.floats(-1.0, 1.0))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_the_two_routes_agree(m1: float, m2: float, more: float) -> None:
     assert agree(closed, integrated, ARMS + more, m1=m1, m2=m2, V=1.5)
 

@@ -47,7 +47,7 @@ def lost(scene: Scene, leapfrog: Leapfrog, dt: float) -> tuple[Vector, Vector]:
 
 @given(st.integers(0, 10**6), SCHEMES, st.sampled_from([1e-3, 5e-3]))
 @example(1587, dem.CENTRED, 5e-3)  # the slide turns back while the force turns
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_under_a_steady_load_no_step_gains(seed: int, leapfrog: Leapfrog, dt: float) -> None:
     taken, _ = lost(rubbed(seed), leapfrog, dt)
     assume(taken[-1] > 0)  # it slipped
@@ -59,7 +59,7 @@ def test_under_a_steady_load_no_step_gains(seed: int, leapfrog: Leapfrog, dt: fl
     st.sampled_from([1e-3, 2.5e-3, 5e-3]),
 )  # fmt: skip
 @example(falling, 543, dem.CENTRED, 5e-3)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_in_collisions_a_step_gains_no_more_than_the_end_of_a_contact_in_it(
     kind: object, seed: int, leapfrog: Leapfrog, dt: float
 ) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
@@ -30,7 +30,6 @@ def least_turn(before: Vector, after: Vector) -> Rotation:
 
 
 @given(st.integers(0, 2**32 - 1))
-@settings(deadline=None)
 def test_a_shear_spring_turns_with_the_contact_plane(seed: int) -> None:
     before, after, any_way = np.random.default_rng(seed).normal(size=(3, 3))
     before, after = (n / np.linalg.norm(n) for n in (before, after))
