@@ -40,9 +40,9 @@ def follow_system(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all i
 
     velocity (n,) [m/s], lengths (c + s + h,) [m] and states (c,): at t = 0, overwritten. most: the
     number of changes of state that is allowed. Filled, up to `room` pieces: starts (room, 3), the
-    time at which a piece starts [s], its unit of time h [s] and its end in that unit; kept
-    (room, c), its states; began (room, c + s + h), its initial lengths [m]; series
-    (room, ORDER + 1, n) [m].
+    time at which a piece starts [s], its unit of time h [s] and its end in that unit; kept (room,
+    c), its states; began (room, c + s + h), its initial lengths [m]; series (room, ORDER + 1, n)
+    [m]. It is one function since each piece updates nearly all of its variables.
     """
     n, wide = len(velocity), len(lengths)
     place, force, drag = np.zeros(n), np.empty(n), np.empty(n)

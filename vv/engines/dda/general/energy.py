@@ -46,7 +46,8 @@ def close_step(
     pull: (q,) is set to their generalised forces; relative, moved: (c, 3), (w, 3) the relative
     displacements of contacts and those of walls at the time at which forces are evaluated; those of
     the whole step are `over` times as large. A force F does the work F d over a step d; the
-    difference to the energy of its spring is numerical dissipation.
+    difference to the energy of its spring is numerical dissipation. It is one function since all
+    energies of a contact follow from the same few numbers.
     """
     for a in range(len(pull)):
         pull[a] = 0.0

@@ -51,7 +51,8 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
 
     Returns whether the iteration converged, the number of solutions, and per contact what the last
     one assumed, states (c,) and friction (c, 3) [N], and its relative displacement (c, 3) [m]. The
-    states, normal forces and directions in touch are set to those that the law gives for it.
+    states, normal forces and directions in touch are set to those that the law gives for it. It is
+    one function since solution and contact law share its arrays in each iteration.
     """
     q, count = len(d), len(touch.key)
     first, matrix = counts(q), table(q, q)

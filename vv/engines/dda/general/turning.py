@@ -48,7 +48,8 @@ def convected(
     """Fill turn (q,) with these loads [N m] over a step [s], in which only elasticity acts besides.
 
     mass, elastic: (q, 12), see `masses`; terms: see `stretched`; rounds: of the iteration for the
-    loads and the motion at the end of the step, which depend on each other; 0 for no loads.
+    loads and the motion at the end of the step, which depend on each other; 0 for no loads. It is
+    one function since all of its parts share the arrays that it allocates.
     """
     q = len(turn)
     begin, whole, second, flow, end = rows(3), rows(3), rows(3), rows(3), rows(3)

@@ -51,7 +51,8 @@ def slide_point(
 
     pressed: whether contact carries the loads at t = 0. d'' = (2/D^2)(d - D v0), v = (2/D) d - v0
     (Yagoda-Biran 2016, Eq. 5 corrected). Rows are those of `move_blocks`: path (k, 6), energy (k,
-    13), report (k, 9).
+    13), report (k, 9). It is one function since half of it is the loop, the other half arguments
+    and rows.
     """
     motion = Motion(NOWHERE, NOWHERE, velocity, NOWHERE)
     contact = Contact(OPEN, 0.0, NOWHERE, NOWHERE)

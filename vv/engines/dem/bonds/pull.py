@@ -46,7 +46,8 @@ def part(
 
     Work is summed by the trapezoidal rule, which takes the mean of the forces at both ends of the
     step: the bond thus breaks in the middle of the step. The energy of its springs there, minus
-    what remains, is added to `lost` (2,) [J].
+    what remains, is added to `lost` (2,) [J]. It is one function since a third of its lines are
+    arguments and the rest shares its vectors.
     """
     rows, offset, first, strained, kn, radius = springs
     i, j = rows[p, 0], rows[p, 1]
@@ -142,7 +143,8 @@ def pull(
     springs: rows (b, 2), offset at t = 0 (b, 3) and its length (b,), stretch at t = 0 (b,), kn
     (b,), radii (b, 2). table: that of blocks, in which the shear displacements are updated; they
     rotate with the bond and, where spheres rotate, about it by the mean of their spins. frail:
-    tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `sweep`.
+    tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `sweep`. It is
+    one function since most of its lines are arguments.
     """
     ends, like, share, window = blocks[0], blocks[2], blocks[3], blocks[4]
     if threads is None:

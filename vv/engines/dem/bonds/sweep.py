@@ -48,7 +48,7 @@ def sweep(
     push, turn: forces and torques (chunks x rows, 3); scratch: a row for each chunk; held: (c, 3)
     normal and shear energies [J], and how many bonds break; many: how many bonds there are in all;
     state: (k, WIDE) 0 for a whole bond, BROKEN or BREAKS. The other arguments are those of `Blocks`
-    and `pull`.
+    and `pull`. It is one function since half of its lines are arguments.
     """
     base: Any = np.uint64(c * (len(push) // len(held)))  # unsigned: numba tests signs
     for i in range(base + np.uint64(window[c, 0]), base + np.uint64(window[c, 1])):

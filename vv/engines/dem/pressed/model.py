@@ -116,6 +116,37 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     one tangent and does not rotate, and the wall does not move along the locked direction. charged:
     (1, 3) tangential force [N] at t = 0.
     """
+    s, axes = scene.spheres, _axes(scene)
+    if axes is None:
+        return None
+    base = _along(scene.walls[0].motion, axes)
+    if (
+        base is not None
+        and (np.abs(base.direction[:, 2]) > ALIGNED * np.abs(base.direction).max()).any()
+    ):
+        return None
+    rubs = Term.FRICTION in scene.terms()
+    parts = {Term.GRAVITY: float(s.mass[0]) * scene.gravity, Term.LOAD: s.load[0]}
+    weight, load = (axes[:2] @ parts[term] for term in (Term.GRAVITY, Term.LOAD))
+    force = weight + load
+    start = 0.0 if charged is None else float(charged[0] @ axes[1])
+    state = PressedState(
+        velocity=axes[:2] @ s.velocity[0],
+        mass=float(s.mass[0]),
+        force=(float(force[0]), float(force[1])) if force.any() else None,
+        kn=scene.contact.kn,
+        gap=float((s.position[0] - scene.walls[0].point) @ axes[0] - s.radius[0]),
+        friction=(scene.contact.ks, scene.contact.mu, start) if rubs else None,
+        eta=scene.eta if scene.eta > 0 else None,
+        shaking=_along(scene.wave, axes),
+        base=base,
+    )
+    words = "2 unknowns: a sphere along the normal of its wall and along the wall"
+    return Pressed(0, axes, weight, load, state, scene.terms(), words)
+
+
+def _axes(scene: Scene) -> Vector | None:
+    """The unit normal, tangent and locked direction (3, 3) as rows; None for other scenes."""
     s = scene.spheres
     if scene.terms() - MODELLED:
         return None
@@ -129,31 +160,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     most = free[np.abs(free @ n).argmin()]
     slide = np.cross(locked, n)
     slide *= np.copysign(1.0 / np.linalg.norm(slide), slide @ most)
-    axes = np.stack([n, slide, locked])
-    base = _along(scene.walls[0].motion, axes)
-    if (
-        base is not None
-        and (np.abs(base.direction[:, 2]) > ALIGNED * np.abs(base.direction).max()).any()
-    ):
-        return None
-    rubs = Term.FRICTION in scene.terms()
-    parts = {Term.GRAVITY: float(s.mass[0]) * scene.gravity, Term.LOAD: s.load[0]}
-    weight, load = (axes[:2] @ parts[term] for term in (Term.GRAVITY, Term.LOAD))
-    force = weight + load
-    start = 0.0 if charged is None else float(charged[0] @ slide)
-    state = PressedState(
-        velocity=axes[:2] @ s.velocity[0],
-        mass=float(s.mass[0]),
-        force=(float(force[0]), float(force[1])) if force.any() else None,
-        kn=scene.contact.kn,
-        gap=float((s.position[0] - scene.walls[0].point) @ n - s.radius[0]),
-        friction=(scene.contact.ks, scene.contact.mu, start) if rubs else None,
-        eta=scene.eta if scene.eta > 0 else None,
-        shaking=_along(scene.wave, axes),
-        base=base,
-    )
-    words = "2 unknowns: a sphere along the normal of its wall and along the wall"
-    return Pressed(0, axes, weight, load, state, scene.terms(), words)
+    return np.stack([n, slide, locked])
 
 
 def _along(motion: Harmonic | None, axes: Vector) -> Drive | None:

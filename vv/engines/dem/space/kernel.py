@@ -39,7 +39,8 @@ def move_in_space(
     velocity is set.
 
     Every `stride` steps a row is written of path (k, b, 6, 9 or 12) and energy (k, 7, 9 or 12): see
-    `output.py`. The loop ends before a later row if energy was created (vv.engines.dem.limits).
+    `output.py`. The loop ends before a later row if energy was created (vv.engines.dem.limits). It
+    is one function since the hooks must be called in one place, to be compiled once.
     """
     bodies, motion = room(given)
     m = len(bodies.mass)

@@ -34,7 +34,8 @@ def follow_one(
     while it is open, and replaced by k^2 limit against the slip while it slips. limit [m]: of the
     stretch or, for a gap, the overlap at which centres meet. most: the number of changes of state
     that is allowed. Filled: pieces (room, 5), with the time [s], the state, the displacement [m]
-    since t = 0, x and v at the start of a piece.
+    since t = 0, x and v at the start of a piece. It is one function since each piece updates nearly
+    all of its variables.
     """
     w, rest = math.sqrt(k * k - n * n), a / (k * k)
     state = STUCK if slides or x < 0.0 else OPEN

@@ -32,14 +32,14 @@ def follow_line(
 ) -> tuple[int, int]:
     """The outcome and the number p of pieces.
 
-    rows (4, 1 + k): the acceleration of the body along the slip without friction, the same
-    relative to the wall, mu times the pressing [m/s2], and the position of the wall [m], each as a
-    constant and amplitudes of k sines. angles (cells, k), turn (k,) [rad]: the phases of the sines
-    at the start of each cell, and their change in a cell. rate: cells per second; last: the part
-    of the last cell at which the motion ends. initial: speed [m/s], state and fastest speed [m/s]
-    at t = 0. most: number of events allowed in a cell. Filled: starts (room, 3), the cell and
-    part at which a piece starts and its length in cells; states (room,); series
-    (room, ORDER + 1) [m].
+    rows (4, 1 + k): the acceleration of the body along the slip without friction, the same relative
+    to the wall, mu times the pressing [m/s2], and the position of the wall [m], each as a constant
+    and amplitudes of k sines. angles (cells, k), turn (k,) [rad]: the phases of the sines at the
+    start of each cell, and their change in a cell. rate: cells per second; last: the part of the
+    last cell at which the motion ends. initial: speed [m/s], state and fastest speed [m/s] at t =
+    0. most: number of events allowed in a cell. Filled: starts (room, 3), the cell and part at
+    which a piece starts and its length in cells; states (room,); series (room, ORDER + 1) [m]. It
+    is one function since each piece updates nearly all of its variables.
     """
     speed, state, fastest = initial
     place, cell, part, count, events = 0.0, 0, 0.0, 0, 0

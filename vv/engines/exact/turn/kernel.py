@@ -42,11 +42,12 @@ def follow_turning(
 ) -> tuple[int, int, float]:
     """The outcome, the number p of pieces and the time reached [s].
 
-    rows (3, 1 + k) [m/s2]: the two parts of T and F as constants and amplitudes of k sines
-    (k, 4), see `angle`. w: (2,) the slip's velocity at t = 0 [m/s], overwritten; below
-    tiny [m/s] it is none. band [m2/s4]: the rounding of F^2 - |T|^2. Filled: starts (most, 3),
-    when each piece starts [s], its unit of time h [s] and its end in that unit; states (most,);
-    series (most, ORDER + 1, 2), of its place [m].
+    rows (3, 1 + k) [m/s2]: the two parts of T and F as constants and amplitudes of k sines (k, 4),
+    see `angle`. w: (2,) the slip's velocity at t = 0 [m/s], overwritten; below tiny [m/s] it is
+    none. band [m2/s4]: the rounding of F^2 - |T|^2. Filled: starts (most, 3), when each piece
+    starts [s], its unit of time h [s] and its end in that unit; states (most,); series (most, ORDER
+    + 1, 2), of its place [m]. It is one function since each piece updates nearly all of its
+    variables.
     """
     t, count, place = 0.0, 0, np.zeros(2)
     drive, work, looked = np.empty((3, ORDER + 1)), np.empty((SERIES, ORDER)), np.empty(3)

@@ -52,7 +52,7 @@ def expand_slip(drive: Vector, h: float, w: Vector, work: Vector) -> None:
 
     drive: (3, ORDER + 1) those of T and F [m/s2]; work: (SERIES, ORDER). A coefficient is added to
     all that it is a factor of as soon as it is known: such sums need not wait for one another, as
-    the terms of one product would.
+    the terms of one product would. For this reason it is one loop in one function.
     """
     x, y, last = w[0], w[1], w.shape[1] - 1
     square, inverse, pull = work[0], work[1], work[2]  # |w|^2, 1/|w| and F/|w|

@@ -112,7 +112,8 @@ def solve_in_turns(
     with sweeps of conjugate gradients: where blocks are wedged, the former may diverge and the
     latter be slow, and each continues from where the other is stuck. If both are stuck, the
     solution is started again, once, from zero impulses if the residual is far above that asked;
-    otherwise Newton steps are taken.
+    otherwise Newton steps are taken. It is one function since each choice of a method depends on
+    all that was tried before.
     """
     blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
     small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1

@@ -142,11 +142,12 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
 
     Every `stride` steps a row is written. path (k, b, 9): displacement, velocity and spin of the
     watched blocks. energy (k, 8) [J]: kinetic, lost by friction, lost by impact, work of walls, of
-    shaking, of gravity and loads, by removal of penetration, by rotation of lever arms. report
-    (k, 4): the largest residual [m/s], number of sweeps and penetration [m] of a step since the
-    row before, and the number of divisions since then. reaction (k, b, 6): forces [N] of contacts
-    and shaking on bodies at the row, those of the first step in the first row, and their impulses
-    since t = 0 [N s].
+    shaking, of gravity and loads, by removal of penetration, by rotation of lever arms. report (k,
+    4): the largest residual [m/s], number of sweeps and penetration [m] of a step since the row
+    before, and the number of divisions since then. reaction (k, b, 6): forces [N] of contacts and
+    shaking on bodies at the row, those of the first step in the first row, and their impulses since
+    t = 0 [N s]. It is one function since a step, and the decision to divide it, share its
+    variables.
     """
     n = len(setting.mass)
     rotation = nil_squares(n)

@@ -123,7 +123,8 @@ def attempt(
     were pressed before count as closed: their gaps are of second order, and closing them in less
     than a step would give the block an impulse. If slack is larger than the setting's, the trial is
     an impact. New contacts then have no initial direction of friction, since they hardly move
-    before it and may do so in any direction.
+    before it and may do so in any direction. It is one function since it only prepares arrays, each
+    for the next, for one call of `solved`.
     """
     n, b = len(setting.mass), len(setting.inverse)
     rotation, turned = squares(n), nil_squares(b)
@@ -192,7 +193,10 @@ def solved(
     bodies: Bodies, friction: Friction, key: Index, p: Vector, gaps: Gaps,
     v_old: Vector, w_old: Vector, v: Vector, w: Vector, tolerance: float,
 ) -> Trial:  # fmt: skip
-    """Solve the contacts of a trial; the direction of friction follows the resulting slip."""
+    """Solve the contacts of a trial; the direction of friction follows the resulting slip.
+
+    It is one function since half of its lines are arguments and results.
+    """
     count, acted = len(p), nil_rows(len(p))
     for c in range(count):
         apply_nonzero(joints, c, bodies, v, w, at(p, c))

@@ -117,9 +117,9 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
 
     Every `stride` steps a row is written. path (k, 6): displacement and velocity. energy (k, 8),
     per mass: kinetic, lost by friction, lost by impact, work of the base, of shaking, of gravity,
-    of the load, by removal of penetration. report (k, 4): residual, sweeps, deepest penetration
-    [m] and number of divisions since the row before. reaction (k, 1, 3): force of the plane per
-    mass at the row.
+    of the load, by removal of penetration. report (k, 4): residual, sweeps, deepest penetration [m]
+    and number of divisions since the row before. reaction (k, 1, 3): force of the plane per mass at
+    the row. It is one function since a step, and the decision to divide it, share its variables.
     """
     x, v, force, normal = ZERO, velocity, ZERO, ground.normal
     spent = np.zeros(7)

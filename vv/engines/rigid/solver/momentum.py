@@ -33,7 +33,8 @@ def momentum_sweeps(
     """Iterate p (c, 3), whose effect is in v, w, until the residual is at most `tolerance` [m/s].
 
     At least `fewest` sweeps are made, unless the residual is zero. Returns the number of sweeps and
-    the residual, which exceeds the tolerance if `most` sweeps were not enough.
+    the residual, which exceeds the tolerance if `most` sweeps were not enough. It is one function
+    since the weight of momentum depends on all sweeps before.
     """
     batches, layers, place = packed(p, joints, bodies, friction)
     pairs = pairs_room(1)
