@@ -8,7 +8,7 @@ from vv.case import Case, Parameters, Source, Trial, Variant
 
 YIELD = INCLINE.variant("at-yield")
 OWN = ("alpha", "phi", "A", "f", "g", "duration")
-BESIDE = 1e-12  # of the slope: within a few thousand roundings of it
+BESIDE = 1e-12  # relative to the slope: a few thousand rounding errors
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -21,9 +21,9 @@ CASE = Case(
     title="At the limit of rest",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "phi = alpha is not in the paper. The velocity (A/(w cos alpha))(1 - cos wt) touches zero "
-        "once a cycle there, which the incline shows; a trillionth more of friction stops the "
-        "block for a moment, and a trillionth less never does.",
+        "The paper does not treat phi = alpha. The velocity (A/(w cos alpha))(1 - cos wt) then "
+        "touches zero once a cycle, as the case incline shows. With a trillionth more of friction "
+        "the block stops for a moment, and with a trillionth less it never stops.",
     ),
     parameters=tuple(one for one in INCLINE.parameters if one.name in OWN),
     variants=tuple(

@@ -37,13 +37,13 @@ def _directions() -> Vector:
 
 
 def _gaps() -> Vector:
-    """How far the spheres of each pair are apart at t = 0 (PAIRS,) [m]; no two pairs alike."""
+    """The gap between the spheres of each pair at t = 0 (PAIRS,) [m]; no two gaps are equal."""
     turns = np.modf(np.arange(PAIRS) * (np.sqrt(5) - 1) / 2)[0]
     return np.asarray(NEAREST + (FARTHEST - NEAREST) * turns)
 
 
 def _scene(p: Parameters) -> Scene:
-    """The first sphere of each pair comes first, all the second ones after these."""
+    """The first spheres of all pairs, followed by the second ones."""
     middles = SPACING * np.stack(np.meshgrid(*map(np.arange, GRID), indexing="ij"), 3).reshape(
         -1, 3
     )
@@ -60,7 +60,7 @@ def _scene(p: Parameters) -> Scene:
 
 
 def _path(p: Parameters, t: Vector) -> Vector:
-    """How far each pair has come together (k, PAIRS) [m]; the reduced mass is m/2."""
+    """The approach of each pair (k, PAIRS) [m]; the reduced mass is m/2."""
     since = t[:, None] - _gaps() / p["v"]
     law = {"m": p["m"] / 2, "kn": p["kn"], "z": 0.0, "v": p["v"]}
     return _gaps() + np.where(
@@ -85,7 +85,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         return float(np.abs([first - closed, second + closed]).max())
 
     distance = Scalar(
-        "distance", "max|e|", "m", "largest distance of a sphere from its exact path, over the gap",
+        "distance", "max|e|", "m", "largest distance of a sphere from its exact path, over the "
+        "largest gap",
         apart, 0.0, FARTHEST, Exact(_judged(unit)),
     )  # fmt: skip
     rungs = tuple(Knobs(dt=step * unit) for step in STEPS)
@@ -99,8 +100,8 @@ def _judged(unit: float) -> dict[Method, Tolerance]:
         Method.EXACT: Tolerance(1e-12, "two events per pair, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
             STEPS[0] ** 2 / 5,
-            "a contact closes and opens within a step, which changes the speeds after it by a part "
-            "of (w dt)^2/2",
+            "a contact closes and opens within a step, which changes the speeds after it by a "
+            "fraction of (w dt)^2/2",
             dt=STEPS[0] * unit,
             order=2,
         ),
@@ -108,8 +109,8 @@ def _judged(unit: float) -> dict[Method, Tolerance]:
 
 
 BRIEF = (
-    "contacts last 2 ms, and 1 % of that changes a path by 1e-5 of the gap, less than steps do; "
-    "what is judged is that no contact is missed"
+    "a contact lasts 2 ms: 1 % of that changes a path by 1e-5 of the gap, less than the steps do. "
+    "The case judges that no contact is missed"
 )
 CASE = Case(
     name="crowd",
@@ -118,8 +119,9 @@ CASE = Case(
         "Schwager and Poeschel (2007), Coefficient of restitution and linear-dashpot model "
         "revisited, Granular Matter 9(6), 465-469",
         "10.1007/s10035-007-0065-z",
-        "Their contact without damping, 36 times: pairs on a grid in space, each in a direction "
-        "and from a distance of its own, so that spheres cross a code's cells and lists.",
+        "The paper's contact without damping, 36 times: pairs on a grid in space, each with a "
+        "direction and a gap of its own, so that spheres cross the cells and neighbour lists of a "
+        "code.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass of a sphere"),

@@ -28,7 +28,8 @@ RADIUS = 0.1  # m; does not enter the answer
 LIGHT, HEAVY = Velocity(1), Velocity(2)
 X = np.array([1.0, 0.0, 0.0])
 BEYOND = 1.1  # of the time of the last collision between hard bodies: springs delay it
-SAMPLES = 2  # outputs in the shortest time between two collisions; those of a pair lie twice as far
+# outputs in the shortest time between two collisions; those of one pair are twice as far apart
+SAMPLES = 2
 
 
 def _masses(p: Parameters) -> dict[str, float]:
@@ -64,15 +65,16 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for level, rungs in RUNGS[variant].items()
     }
     study = Ladder(_scene(p), goal, (LIGHT, HEAVY), levels)
-    return Trial(study, (_number(due, _turned(due, p) / due, touch / COARSEST),))
+    return Trial(study, (_number(due, _count_error(due, p) / due, touch / COARSEST),))
 
 
-def _turned(due: int, p: Parameters) -> float:
-    """How many collisions more or less the coarsest step makes.
+def _count_error(due: int, p: Parameters) -> float:
+    """The error of the number of collisions at the coarsest step.
 
-    A spring that closes or opens within a step gains or loses up to kn (v dt)^2/8 of energy, as it
-    falls: that turns the direction in the wedge by up to (w dt)^2/8 sin cos of its angle to the
-    side, at random; over n contacts the root of the sum of squares is that times sqrt(n/8).
+    A spring that closes or opens within a step gains or loses up to kn (v dt)^2/8 of energy,
+    depending on where in the step it does. In Galperin's wedge that changes the direction of motion
+    at random, by up to (w dt)^2/8 times sine and cosine of its angle to the side; over n contacts
+    the root of the sum of squares is that times sqrt(n/8).
     """
     turn = (math.pi / COARSEST) ** 2 / 8 * math.sqrt(due / 8)
     return turn / galperin.opening(**_masses(p))
@@ -83,7 +85,7 @@ def _number(due: int, spread: float, coarsest: float) -> Count:
         name="collisions",
         symbol="n",
         meaning="collisions of the balls with each other and of the light one with the wall",
-        observe=_seen,
+        observe=_count_collisions,
         reference=due,
         judge=Exact({
             Method.EXACT: Tolerance(1e-6, "the number of collisions is either right or wrong"),
@@ -94,13 +96,13 @@ def _number(due: int, spread: float, coarsest: float) -> Count:
     )  # fmt: skip
 
 
-def _seen(run: Run) -> int:
-    """How often what approaches turns to part: the balls, and the light one and the wall."""
+def _count_collisions(run: Run) -> int:
+    """The number of times an approach ends: of the balls, and of the light one and the wall."""
     light, heavy = run.values[LIGHT] @ X, run.values[HEAVY] @ X
-    return _turns(heavy - light) + _turns(light)
+    return _count_approaches(heavy - light) + _count_approaches(light)
 
 
-def _turns(rate: Vector) -> int:
+def _count_approaches(rate: Vector) -> int:
     """How often a distance stops shrinking, from its rate at the outputs."""
     return int(np.count_nonzero((rate[:-1] < 0) & (rate[1:] >= 0)))
 
@@ -116,9 +118,7 @@ BLURRED = (
     "n contacts change the direction by sqrt(n/8) times that; where this is less than one "
     "collision, the number must be right"
 )
-WHOLE = {
-    "ratio": "the number of collisions is whole, and 1 % of the ratio changes it by a sixth of one"
-}
+WHOLE = {"ratio": "the number of collisions is an integer: 1 % of the ratio changes it by a sixth"}
 INERT = frozenset({"m", "x", "X", "v", "kn"})
 UNFOLDED = "n = ceil(pi/theta) - 1, theta = atan(sqrt(m/M))"
 CASE = Case(
@@ -128,15 +128,20 @@ CASE = Case(
         "Galperin (2003), Playing pool with pi (the number pi from a billiard point of view), "
         "Regular and Chaotic Dynamics 8(4), 375-394",
         "10.1070/RD2003v008n04ABEH000252",
-        "Bodies are hard there; here they are springs, which mirror the motion as hard bodies do "
-        "while only one acts at a time. A collision is seen in the velocities at the outputs: an "
-        "approach that turns to parting.",
+        "Bodies are hard there; here they are springs, which reflect the motion as hard bodies do "
+        "while only one acts at a time. Collisions are counted from the velocities at the outputs, "
+        "where an approach turns into a separation.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass of the light ball"),
-        Parameter("ratio", 100.0, "", "mass of the heavy ball over it"),
+        Parameter("ratio", 100.0, "", "mass of the heavy ball over that of the light one"),
         Parameter("x", 1.0, "m", "gap between the light ball and the wall at the start"),
-        Parameter("X", 1.1, "m", "gap between the heavy ball and the wall, less the light one"),
+        Parameter(
+            "X",
+            1.1,
+            "m",
+            "gap between the heavy ball and the wall, less the diameter of the light one",
+        ),
         Parameter("v", 1.0, "m/s", "speed of the heavy ball towards the light one"),
         Parameter("kn", 1.6e6, "N/m", "contact stiffness"),
     ),

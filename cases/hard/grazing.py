@@ -31,8 +31,8 @@ SHEAR = SINGLE_CONTACT.variant("T3")
 OWN = ("rho", "r", "kn", "ks", "mu", "eta", "v_b")
 SPHERE = Displacement(1)
 GOAL = History(20.0, 1e-3)
-SEEN = 1e-8  # of the overlap's limit: a slip that moves the middle of a swing by less is rounding
-NEAR = 2  # outputs beside a turn that a slip there may have bent
+SEEN = 1e-8  # of the largest stretch: a smaller shift of an oscillation's centre is due to rounding
+NEAR = 2  # outputs beside a turning point that a slip there may have affected
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -41,8 +41,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     limit = p["mu"] * p["kn"] * closed.overlap(**own) / p["ks"]
 
     def steps(run: Run) -> Vector:
-        """By how much each swing's middle lies off the one before, over the limit."""
-        middles = list(_middles(run.values[SPHERE] @ scene.axes[1]))
+        """The shift of the centre of each oscillation from the one before, over the limit."""
+        middles = list(_centres(run.values[SPHERE] @ scene.axes[1]))
         return np.asarray(np.abs(np.diff([0.0, *middles])) / limit)
 
     slips = Count(
@@ -55,7 +55,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
             {
                 Method.EXACT: Tolerance(
                     1e-6,
-                    "it slips once, at the beginning; the number of slips is either right or wrong",
+                    "the sphere slips once, at the beginning; the number of slips is either right "
+                    "or wrong",
                 )
             },
             not_judged={Method.SECOND_ORDER: GRAZES},
@@ -74,11 +75,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(Ladder(scene, GOAL, (SPHERE,), LEVELS), (slips, crept))
 
 
-def _middles(y: Vector) -> Iterator[float]:
-    """The middle of every swing between two turns, from the outputs (k,) [m] within it.
+def _centres(y: Vector) -> Iterator[float]:
+    """The centre of each half oscillation between turning points, from its outputs (k,) [m].
 
-    What swings about c obeys y_(n+1) + y_(n-1) - 2c = q (y_n - c) at equal intervals, whatever its
-    frequency and, in a leapfrog, its step: a straight line in y_n, fitted.
+    An oscillation about c obeys y_(n+1) + y_(n-1) - 2c = q (y_n - c) at equal intervals, at any
+    frequency and, in a leapfrog, at any step: a straight line in y_n, which is fitted.
     """
     turns = np.flatnonzero(np.diff(y[:-1]) * np.diff(y[1:]) < 0) + 1
     for begin, end in itertools.pairwise(turns):
@@ -94,19 +95,20 @@ RUNGS = tuple(Knobs(dt=dt) for dt in (4e-3, 2e-3, 1e-3, 5e-4, 1e-4))
 LEVELS = {Level.QUICK: RUNGS[:3:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 GRAZES = (
     "the largest shear force equals the limit of friction to the last digit: the sign of an error "
-    "decides whether it slips, so that the number of slips does not converge with the step"
+    "decides whether the sphere slips, so that the number of slips does not converge with the step"
 )
 COUNTED = (
-    "slips are counted, one at any parameters: the wall is pressed in as far as they need; the "
-    "path is that of single-contact:T3"
+    "slips are counted, and there is one at any parameters, since the wall is pressed in as far as "
+    "they require; single-contact:T3 judges the path"
 )
 CASE = Case(
     name="grazing",
     title="Touching the limit of friction",
     source=Source(
         *LI_2018,
-        "T3, which ends there at 0.4 s, goes on for 20 s. Its third stage swings about b with the "
-        "amplitude y1 = mu kn dx/ks, at which the shear force is mu Fn and the velocity zero.",
+        "T3, which ends at 0.4 s in the paper, goes on for 20 s. In its third stage the sphere "
+        "oscillates about b with the amplitude y1 = mu kn dx/ks, at which the shear force is mu Fn "
+        "and the velocity is zero.",
     ),
     parameters=tuple(one for one in SINGLE_CONTACT.parameters if one.name in OWN),
     variants=(

@@ -1,4 +1,4 @@
-"""A prism topples on the edge of another that crosses its own: contact of two edges at a point."""
+"""A prism topples on the edge of another that crosses its own: two edges touch at a point."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from vv.scene import Block, Contact, Scene, Vector, polyhedron_inertia, volume_a
 UP = np.array([0.0, 0.0, 1.0])
 HEADING = np.radians(20)  # of the lower edge from x
 BELOW, ABOVE = (0.5, -0.5), (0.4, 0.6)  # m: half the width and the height of the triangles
-LONG = {"lower": 2.0, "upper": 1.5}  # m: of the edges, which cross where each is halved
+LONG = {"lower": 2.0, "upper": 1.5}  # m: lengths of the edges, which cross at their middles
 LEAST, STEEP = 30.0, 0.75  # deg, rad: other edges are far, and the lower faces fall by pi/4
-APART = 1e-10  # m at t = 0: shows in no figure, and is no matter of rounding
+APART = 1e-10  # gap at t = 0 [m]: too small to be seen, and well above rounding errors
 FACES = ((0, 1, 2), (5, 4, 3), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0))
 PRISM = Displacement(1)
 
 
 def _prism(along: Vector, length: float, width: float, height: float) -> Vector:
-    """Vertices (6, 3) of a prism whose first edge is halved by the origin; its base is level."""
+    """Vertices (6, 3) of a prism whose first edge is centred on the origin; its base is level."""
     across = np.cross(UP, along)
     ends = [-length / 2 * along, length / 2 * along]
     base = [height * UP - side * width * across for side in (1, -1)]
@@ -55,7 +55,7 @@ def _axes(p: Parameters) -> Vector:
 
 
 def _scene(p: Parameters) -> tuple[Scene, float, float]:
-    """The scene, how high the centre stands over the edge [m], and m h^2/I about it."""
+    """The scene, the height h of the centre over the edge [m], and m h^2/I about the edge."""
     axes = _axes(p)
     own = _turned(axes[:1], UP, np.radians(p["crossing"]))[0]
     upright = _prism(own, LONG["upper"], *ABOVE)
@@ -74,7 +74,7 @@ def _scene(p: Parameters) -> tuple[Scene, float, float]:
 
 
 def _check(p: Parameters, height: float, lam: float) -> None:
-    """Raise ValueError where other edges or faces come in, or friction does not keep the point."""
+    """Raise ValueError where other edges or faces touch, or friction does not hold the contact."""
     theta = toppling.angle(np.linspace(0, p["duration"], 101), theta0=p["theta"], lam=lam)
     if not (theta[-1] < STEEP and LEAST <= p["crossing"] <= 180 - LEAST):
         raise ValueError(
@@ -85,7 +85,7 @@ def _check(p: Parameters, height: float, lam: float) -> None:
     along = np.abs(p["g"] * np.sin(theta) - height * lam**2 * np.sin(theta))
     needed = float((along / (p["g"] * np.cos(theta) - height * swing)).max())
     if not p["mu"] > needed:
-        raise ValueError(f"mu = {p['mu']!r}; the edges slip, as they need {needed:.6g}")
+        raise ValueError(f"mu = {p['mu']!r}; it must exceed {needed:.6g}, or the edges slip")
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -106,7 +106,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for i, (name, where, how) in enumerate(
             (
                 ("x", "along the lower edge", ALONG),
-                ("y", "across it", judge),
+                ("y", "across the lower edge", judge),
                 ("z", "upwards", judge),
             )
         )
@@ -118,19 +118,22 @@ RUNGS = tuple(Knobs(dt, 1e8) for dt in (1e-3, 5e-4, 2.5e-4))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 SINKS = Tolerance(
     4e-3,
-    "the prism sinks into its spring and swings on it, 2 m g/kn = 1.8e-4 m of the 0.076 m that its "
-    "centre moves",
+    "the prism sinks into its contact spring and oscillates on it, by 2 m g/kn = 1.8e-4 m of the "
+    "0.076 m that its centre moves",
     kn=1e8,
     softness=1,
 )
 JUDGED = {
-    Method.SECOND_ORDER: Tolerance(1.2e-5, "(lam dt)^2, lam = 3.5 1/s", dt=1e-3, order=2),
-    Method.FIRST_ORDER: Tolerance(1.8e-3, "half of lam dt, lam = 3.5 1/s", dt=1e-3, order=1),
+    Method.SECOND_ORDER: Tolerance(
+        1.2e-5, "an error of (lam dt)^2, lam = 3.5 1/s", dt=1e-3, order=2
+    ),
+    Method.FIRST_ORDER: Tolerance(1.8e-3, "an error of lam dt/2, lam = 3.5 1/s", dt=1e-3, order=1),
     Method.PENALTY: SINKS,
     Method.LAGGING: SINKS,
 }
 ALONG = Exact(dict.fromkeys(
-    JUDGED, Tolerance(1e-11, "no force acts along the edge: rounding over hundreds of steps")
+    JUDGED, Tolerance(1e-11, "no force acts along the edge: only rounding errors of hundreds of "
+                      "steps remain")
 ))  # fmt: skip
 CASE = Case(
     name="knife-edge",

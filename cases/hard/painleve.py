@@ -1,4 +1,4 @@
-"""A rod slides on its end into a wall of friction: Painleve's paradox, below and beyond it."""
+"""A rod slides on its end against much friction: Painleve's paradox, below and beyond its limit."""
 
 from __future__ import annotations
 
@@ -78,48 +78,49 @@ LEVELS = {
 }
 CRITICAL = 4 / 3  # friction at which a rod of slope 2 jams
 SPRUNG = (
-    "on springs the end sinks and is thrown up again, more so near the paradox and beyond it; "
-    "this motion does not converge to rigid contact"
+    "on springs the end of the rod sinks and rebounds, the more so near the paradox and beyond it; "
+    "this motion does not converge to that of rigid contact"
 )
 SHOWN = dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG)
 SLIDING = Tolerance(
     8e-6,
-    "friction turns the rod by a force that is constant in a step, whose change a step, dt V/l, is "
-    "2e-3 at 1e-3 s and enters by its square",
+    "the force that rotates the rod is constant in a step. It changes by dt V/l per step, 2e-3 at "
+    "1e-3 s, and the error is the square of that",
     dt=1e-3,
     order=2,
 )
 STOPPING = Tolerance(
     2e-4,
-    "near the paradox the force changes by a tenth in a step, and the rod stops within one",
+    "near the paradox the force changes by a tenth in a step, and the rod stops within a step",
     dt=1e-3,
     order=1,
 )
 JAMMED = Tolerance(
     1.1e-2,
-    "the impulse at the start is seen at the end of the first step: half of V dt is 1e-3 m, of "
-    "which half is seen in the middle of the rod, over 0.05 m",
+    "the impulse at the start acts at the end of the first step: an error of V dt/2 = 1e-3 m at "
+    "the end of the rod and of half that in its middle, over a displacement of 0.05 m",
     dt=1e-3,
     order=1,
 )
 LOCATED = Tolerance(
     4e-6,
-    "the jam is found within the step and takes no time; friction then turns the rod by a force "
-    "that is constant in a step, whose change enters by its square",
+    "the jam is located within the step and takes no time. Then the force that rotates the rod is "
+    "constant in a step, an error of the square of its change",
     dt=1e-3,
     order=2,
 )
 IMPACT = Tolerance(
     2e-7,
-    "the rod turns by 1.3e-3 in the step in which it jams: the impulse, which is that of its end, "
-    "takes a part of (w dt)^2 less than it should",
+    "the rod turns by 1.3e-3 rad in the step in which it jams. The impulse is that of the end of "
+    "the step, which takes too little energy by a fraction of (w dt)^2",
     dt=1e-3,
     order=2,
 )
 AT_ENDS = Tolerance(
     1e-3,
-    "friction of a step is that at its end: an error of its change in a step, 2e-3 of the speed "
-    "at 1e-3 s, and half of that in the displacement; a stop takes effect at the end of a step",
+    "friction acts with its value at the end of a step: an error of its change in a step, 2e-3 of "
+    "the speed at 1e-3 s, and half of that in the displacement; a stop takes effect at the end of "
+    "a step",
     dt=1e-3,
     order=1,
 )
@@ -127,11 +128,13 @@ SLIDING_RIGID = {Method.SECOND_ORDER: SLIDING, Method.FIRST_ORDER: AT_ENDS}
 SLIDES = Exact({
     **SLIDING_RIGID,
     Method.PENALTY: Tolerance(
-        2e-3, "the end sinks into its spring by 1e-5 m and swings on it, over 0.07 m", kn=1e8,
+        2e-3, "the end of the rod sinks into its spring by 1e-5 m and oscillates on it, over a "
+        "displacement of 0.07 m", kn=1e8,
         softness=0.5,
     ),
     Method.LAGGING: Tolerance(
-        3e-2, "friction of the iteration before, as the load on the end grows with every step",
+        3e-2, "friction is that of the previous iteration, while the load on the end grows with "
+        "every step",
         dt=1e-3, order=1, floor=1e-2,
     ),
 })  # fmt: skip
@@ -168,7 +171,8 @@ CASE = Case(
         )
         for mu, where, inert, level in (
             (0.8, "slides", frozenset(), Level.QUICK),
-            (1.3, "slides and soon stops, at 25 times its weight", frozenset(), Level.DEFAULT),
+            (1.3, "slides and soon stops, under a normal force of 25 times its "
+             "weight", frozenset(), Level.DEFAULT),
             (1.34, "just beyond the limit of the paradox: it "
                    "jams", frozenset({"mu"}), Level.DEFAULT),
             (2.0, "far beyond the limit of the paradox: it jams", frozenset({"mu"}), Level.QUICK),

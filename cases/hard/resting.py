@@ -47,7 +47,7 @@ def _scene(p: Parameters) -> Scene:
     count = len(place)
     spheres = Spheres(
         position=place @ [X, Z],
-        velocity=p["v"] * _knock(count) @ [X, Z],
+        velocity=p["v"] * _directions(count) @ [X, Z],
         radius=np.full(count, RADIUS),
         mass=np.full(count, p["m"]),
         free=np.tile([True, False, True], (count, 1)),
@@ -58,7 +58,7 @@ def _scene(p: Parameters) -> Scene:
     return Scene((*walls, spheres), contact, gravity=-p["g"] * Z)
 
 
-def _knock(count: int) -> Vector:
+def _directions(count: int) -> Vector:
     """Unit vectors (count, 2), all different: each is turned by the golden angle from the last."""
     angle = np.pi * (3 - np.sqrt(5)) * np.arange(count)
     return np.stack([np.cos(angle), np.sin(angle)], axis=1)
@@ -79,8 +79,8 @@ def _held_scene(p: Parameters) -> Scene:
     return Scene((*walls, sphere), Contact(p["kn"], p["ks"], p["mu"]), gravity=-p["g"] * Z)
 
 
-def _held_up(p: Parameters) -> Trial:
-    """It swings on its shear springs, or slides where friction does not bear its weight."""
+def _held_trial(p: Parameters) -> Trial:
+    """The sphere oscillates on shear springs, or slides if friction does not bear its weight."""
 
     def height(t: Vector) -> Vector:
         law = {name: p[name] for name in ("m", "ks", "mu", "g")}
@@ -90,7 +90,7 @@ def _held_up(p: Parameters) -> Trial:
     seen = Displacement(2)
     sunk = Series(
         "z", "z", "m", "displacement upwards", ComponentAlong(seen, Z),
-        height, _swings(unit),
+        height, _oscillation_bounds(unit),
     )  # fmt: skip
     rungs = tuple(Knobs(dt=step * unit) for step in SWINGS)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
@@ -99,7 +99,7 @@ def _held_up(p: Parameters) -> Trial:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant == "held":
-        return _held_up(p)
+        return _held_trial(p)
     scene = _scene(p)
     bodies = range(FIRST, FIRST + len(scene.spheres))
     moved = tuple(Displacement(body) for body in bodies)
@@ -108,8 +108,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     rungs = tuple(Knobs(dt=dt) for dt in STEPS)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
     if variant == "booked":
-        return Trial(Ladder(scene, EVERY, moved, levels, energies=(*HELD, LOST)), _booked(scene, p))
-    told = _at_rest(moved, p) if variant == "still" else _knocked(scene, p)
+        return Trial(
+            Ladder(scene, EVERY, moved, levels, energies=(*HELD, LOST)),
+            _reported_energies(scene, p),
+        )
+    told = _at_rest(moved, p) if variant == "still" else _observed_energies(scene, p)
     return Trial(Ladder(scene, GOAL, seen, levels), told)
 
 
@@ -124,19 +127,20 @@ def _at_rest(moved: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, 
     )  # fmt: skip
 
 
-def _knocked(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
+def _observed_energies(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
     """Shear springs and spins are not observed: energy that they return counts as a gain."""
-    initial, held = _initial_energy(scene, p), functools.partial(_held, scene)
+    initial, held = _initial_energy(scene, p), functools.partial(_observed_energy, scene)
     return (
         Scalar(
             "gained", "max(E(t) - E(s))", "J",
-            "largest increase, since any earlier time s, of the energy of motion, weight and "
-            "normal springs", lambda run: _rise(held(run)), 0.0, initial, _returns(p),
+            "largest increase, since any earlier time s, of kinetic energy, potential energy and "
+            "energy of normal springs "
+            "together", lambda run: _rise(held(run)), 0.0, initial, _return_bounds(p),
         ),
         Scalar(
-            "above", "max(E(t) - E(0))", "J", "largest rise of that energy above the start, at "
-            "which no spring or spin holds any",
-            lambda run: float((held(run) - held(run)[0]).max()), 0.0, initial, _above(p),
+            "above", "max(E(t) - E(0))", "J", "largest rise of that energy above its initial "
+            "value, when shear springs and spins hold none",
+            lambda run: float((held(run) - held(run)[0]).max()), 0.0, initial, _excess_bounds(p),
         ),
         Scalar(
             "left", "E - Er", "J",
@@ -147,23 +151,23 @@ def _knocked(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-def _returns(p: Parameters) -> Exact | Shown:
-    """How much of what they hold shear springs and spins return was seen at these parameters."""
+def _return_bounds(p: Parameters) -> Exact | Shown:
+    """The bound of what shear springs and spins return, which was observed at the defaults only."""
     return RETURNS if dict(p) == CASE.defaults("knocked") else Shown(ELSEWHERE)
 
 
-def _above(p: Parameters) -> Exact:
-    """w: of the quickest swing of a sheet, w^2 = 6 kn/m."""
+def _excess_bounds(p: Parameters) -> Exact:
+    """The bound of a leapfrog, with the highest frequency of a sheet, w^2 = 6 kn/m."""
     second = Tolerance(
         float(min(6.0 * p["kn"] / p["m"] * STEPS[0] ** 2 / 8, LARGEST_TOLERANCE)),
-        "friction only dissipates energy; that of a leapfrog, at whole steps, oscillates by a "
+        "friction only dissipates energy; the energy of a leapfrog at whole steps oscillates by a "
         "relative (w dt)^2/8",
         dt=STEPS[0], order=2,
     )  # fmt: skip
     return Exact(dict.fromkeys(BOTH, second))
 
 
-def _booked(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
+def _reported_energies(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
     """All energy, as the code reports it: friction only dissipates, so no loss hides a gain."""
     initial = _initial_energy(scene, p)
     return (
@@ -191,7 +195,7 @@ def _rise(energy: Vector) -> float:
     return float((energy - np.minimum.accumulate(energy)).max())
 
 
-def _held(scene: Scene, run: Run) -> Vector:
+def _observed_energy(scene: Scene, run: Run) -> Vector:
     """Translational kinetic energy, potential of gravity and normal springs, (k,) [J]."""
     spheres, law = scene.spheres, scene.contact
     bodies = range(FIRST, FIRST + len(spheres))
@@ -206,13 +210,13 @@ def _held(scene: Scene, run: Run) -> Vector:
     return np.asarray(motion + springs - u @ scene.gravity @ spheres.mass)
 
 
-def _swings(unit: float) -> Exact:
+def _oscillation_bounds(unit: float) -> Exact:
     """unit: 1/w [s]."""
     coarsest = SWINGS[0]
     second = Tolerance(
         coarsest**2 / 24 * LASTS / 2 + coarsest**2 / 4,
-        "the swing runs late by (w dt)^2/24 of its phase, which half its size turns into an error, "
-        "and is off by a part of (w dt)^2 at its start",
+        "the phase of the oscillation has a relative error of (w dt)^2/24, which counts with half "
+        "of the amplitude; its start adds a fraction of (w dt)^2",
         dt=coarsest * unit,
         order=2,
     )
@@ -225,8 +229,9 @@ def _swings(unit: float) -> Exact:
 
 
 SWINGS, LASTS = (0.05, 0.025, 0.0125), 20.0  # steps and duration, times w
-HOLDS = 1.005  # friction over what the swing asks of it at its lowest: 1 % less, and it slips
-STEPS = (2e-4, 1e-4, 5e-5)  # s; the quickest swing takes about 2e-3 s
+# friction over its need at the lowest point of the oscillation: with 1 % less the sphere slips
+HOLDS = 1.005
+STEPS = (2e-4, 1e-4, 5e-5)  # s; the fastest oscillation has a period of about 2e-3 s
 STILL = Tolerance(
     2e-10,
     "forces balance to the rounding of positions, kn eps x = 1e-10 N beside a weight of 13 N, and "
@@ -238,19 +243,19 @@ LOST = Form.FRICTION
 BOTH = Method.SECOND_ORDER, Method.FIRST_ORDER
 RETURNS = Exact(dict.fromkeys(BOTH, Tolerance(
     2e-2,
-    "shear springs and spins, which are not observed, store at most 0.18 of the initial energy and "
-    "return 7e-3 of it where a code reports them, at any step",
+    "shear springs and spins, which are not observed, store at most 0.18 of the initial energy; "
+    "where a code reports them they return 7e-3 of it, at any step",
 )))  # fmt: skip
 ELSEWHERE = (
     "how much shear springs and spins hold and return depends on all parameters; `above` and the "
-    "variant `booked` judge at any"
+    "variant `booked` judge at any parameters"
 )
 STICKS = "while friction holds the sphere its motion is that of the shear springs alone"
 GAINS = Exact({
     method: Tolerance(
         1e-8,
         "no contact opens, and a leapfrog conserves m v- v+/2 plus the energy of closed springs, "
-        "except that normals turn, by 1e-4 rad in a swing",
+        "except that normals rotate, by 1e-4 rad in an oscillation",
         dt=STEPS[0], order=order,
     )
     for method, order in ((Method.SECOND_ORDER, 2), (Method.FIRST_ORDER, 1))
@@ -264,7 +269,7 @@ LEFT = Shown(
 HELD_BY = HOLDS * 1.3 * 9.81 / (0.3 * 1e6 * RADIUS)  # of the radius: mu N = HOLDS m g
 STEADY = dict.fromkeys(
     ("n", "rows", "m", "kn", "ks", "mu", "g", "squeeze"),
-    "the positions of rest are made of them; what is judged is that nothing moves",
+    "the positions of rest follow from them; the case judges that nothing moves",
 )
 LOST_ONLY = dict.fromkeys(
     (*STEADY, "v"), "the quantity judges that energy is only lost, whatever the amount"

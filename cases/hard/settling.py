@@ -63,8 +63,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     bounces = Count(
         name="bounces",
         symbol="n",
-        meaning="number of times it leaves the floor",
-        observe=lambda run: _leaves(HEIGHT(run) + p["height"]),
+        meaning="number of times the sphere leaves the floor",
+        observe=lambda run: _count_departures(HEIGHT(run) + p["height"]),
         reference=lambda: _bounces(settling.stages(**law)),
         judge=Exact(dict.fromkeys(PATH, WHOLE)),
     )
@@ -84,7 +84,7 @@ def _second(p: Parameters, stages: Sequence[settling.Stage]) -> Tolerance:
     )
 
 
-def _leaves(z: Vector) -> int:
+def _count_departures(z: Vector) -> int:
     return int(np.count_nonzero((z[:-1] <= 0) & (z[1:] > 0)))
 
 
@@ -96,24 +96,25 @@ PATH = {
     ),
     Method.SECOND_ORDER: Tolerance(
         4e-3,
-        "a contact lasts 30 steps of 1e-4 s: (k dt)^2/24 = 4e-4 for its swing, as much for each of "
-        "its ends, at random; the speed it leaves with lengthens each flight that follows, which "
-        "adds up over a number of bounces squared",
+        "a contact lasts 30 steps of 1e-4 s: an error of (k dt)^2/24 = 4e-4 for its oscillation, "
+        "and as much at random for each of its ends. An error of the speed after a contact changes "
+        "each flight that follows, so that errors grow with the square of the number of bounces",
         dt=1e-4,
         order=2,
     ),
     Method.FIRST_ORDER: Tolerance(
         1e-2,
-        "drag half a step late changes its coefficient by n dt = 0.1 % at 1e-4 s, and gravity half "
-        "a step late the first speed by g dt/2v = 0.25 %; thirty bounces add up the former",
+        "drag that is half a step late changes its coefficient by n dt = 0.1 % at 1e-4 s, which "
+        "adds up over thirty bounces; gravity that is half a step late changes the first speed by "
+        "g dt/2v = 0.25 %",
         dt=1e-4,
         order=1,
     ),
 }
 WHOLE = Tolerance(
     1e-6,
-    "a number of bounces is right or wrong; the last but one rises above the floor by 2 % of its "
-    "depth, and the next stays as much below it",
+    "a number of bounces is right or wrong; the last that leaves the floor rises above it by 2 % "
+    "of its depth, and the next one stays as much below it",
 )
 CASE = Case(
     name="settling",

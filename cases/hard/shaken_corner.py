@@ -28,11 +28,12 @@ from vv.case import (
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
-AXES = np.array([[2.0, 2.0, 1.0], [-2.0, 1.0, 2.0], [1.0, -2.0, 2.0]]) / 3  # along no frame
+# along no axis of the frame
+AXES = np.array([[2.0, 2.0, 1.0], [-2.0, 1.0, 2.0], [1.0, -2.0, 2.0]]) / 3
 RADIUS = 1e-3  # m; does not enter the answer
 KS, MU = 0.7, 0.9  # ks/kn on one wall, and friction enough: no contact slips or opens
 SPEED = np.array([0.2, -0.15, 0.25])  # v/(w u)
-# along each axis: amplitude over u, omega/w, phase; of the walls, and of what shakes the sphere
+# along each axis: amplitude over u, omega/w, phase; of the walls, and of the sphere's shaking
 MOVED = ((0.10, 0.31, 0.4), (0.08, 0.57, -1.1), (0.12, 0.43, 2.0))
 SHAKEN = ((0.05, 0.47, 1.3), (0.06, 0.29, -0.5), (0.04, 0.61, 0.2))
 LASTS, SEEN = 40.0, 0.2  # duration, and time between outputs, times w
@@ -51,7 +52,7 @@ def _sine(p: Parameters, scale: float, part: tuple[float, float, float]) -> Sine
 
 
 def _drives(variant: str, p: Parameters) -> tuple[dict[int, Sine], dict[int, Sine]]:
-    """How the walls move [m] and the sphere is shaken [m/s2] along the axes on which they do."""
+    """The motions of the walls [m] and the shaking of the sphere [m/s2], by the axes of each."""
     along = {"corner": (0, 1, 2), "wall": (0, 1), "viscous": ()}[variant]
     shake = p["u"] * _rate(p) ** 2
     moved = {i: _sine(p, p["u"], MOVED[i]) for i in along}
@@ -59,7 +60,7 @@ def _drives(variant: str, p: Parameters) -> tuple[dict[int, Sine], dict[int, Sin
 
 
 def _scene(variant: str, p: Parameters) -> Scene:
-    """Pressed by u into every wall that there is, where weight and load keep it at rest."""
+    """The sphere overlaps every wall by u, where weight and load keep it at rest."""
     moved, shaken = _drives(variant, p)
     one = variant == "wall"
     motions = [moved] if one else [{i: moved[i]} if moved else {} for i in range(3)]
@@ -106,9 +107,11 @@ def _path(variant: str, p: Parameters, t: Vector) -> Vector:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant != "viscous" and p["zn"]:
-        raise ValueError(f"zn = {p['zn']!r}; walls that move are not viscous here")
+        raise ValueError(f"zn = {p['zn']!r}; only the variant 'viscous' has viscous contacts")
     if not p["u"] < RADIUS / 10:
-        raise ValueError(f"u = {p['u']!r} m; the sphere would sink into walls by its radius")
+        raise ValueError(
+            f"u = {p['u']!r} m; it must be below a tenth of the radius, {RADIUS / 10:g} m"
+        )
     one, unit = variant == "wall", 1 / _rate(p)
     scene, goal = _scene(variant, p), History(LASTS * unit, SEEN * unit)
     seen = Displacement(1) if one else Displacement(3)
@@ -128,20 +131,21 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _judge(p: Parameters, unit: float) -> Exact:
-    """unit: 1/w [s]; errors are in parts of the largest displacement."""
+    """unit: 1/w [s]; errors are relative to the largest displacement."""
     step, damping = STEPS[0], max(p["z"] + p["zn"], 1 / (math.e * LASTS))
     return Exact({
-        Method.EXACT: Tolerance(1e-12, "no event: the rounding of forty time constants"),
+        Method.EXACT: Tolerance(1e-12, "no event occurs: only rounding errors over 40/w remain"),
         Method.SECOND_ORDER: Tolerance(
             step**2 / (24 * math.e * damping) + step**2 / 8,
-            "the swing runs late by (w dt)^2/24 of its phase, most when it has decayed by e; drag "
-            "and steady motion are off by some (w dt)^2/8",
+            "the phase of the oscillation has a relative error of (w dt)^2/24, which counts most "
+            "when the amplitude has decayed by a factor of e; drag and steady motion have errors "
+            "of some (w dt)^2/8",
             dt=step * unit, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
             step / math.e,
-            "drag of the velocity half a step before changes the mass by z w dt, and the swing by "
-            "w dt/(2 e) at most; forces that begin half a step late add as much",
+            "drag with the velocity half a step before changes the mass by z w dt, and the "
+            "oscillation by w dt/(2 e) at most; forces that start half a step late add as much",
             dt=step * unit, order=1,
         ),
     })  # fmt: skip
@@ -152,14 +156,16 @@ def _balance(unit: float) -> Scalar:
     step, exact = STEPS[0], Tolerance(1e-12, "no event: only rounding errors remain")
     late = "the error of the first half step, since no contact opens or slips"
     second = Tolerance(step**2 / 200, f"{late}: some (w dt)^2/200", dt=step * unit, order=2)
-    first = Tolerance(step / 40, f"{late}, which begins late", dt=step * unit, order=1)
+    first = Tolerance(
+        step / 40, f"{late}, since forces start half a step late", dt=step * unit, order=1
+    )
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
 
 
 FORMULA = (
     "m q'' + c q' + k (q - Q) = F + m a along each axis, Q = A (sin(omega t + phi) - sin phi): "
-    "steady motion Im(k A e^{i(omega t + phi)}/(k - m omega^2 + i c omega)) and so on, and a swing "
-    "e^{-c t/2m} that meets the start"
+    "steady motion Im(k A e^{i(omega t + phi)}/(k - m omega^2 + i c omega)) and so on, and a free "
+    "oscillation e^{-c t/2m} that meets the initial state"
 )
 SCALES = frozenset({"m", "kn", "g"})  # all times are in 1/w, and a load makes up for the weight
 CASE = Case(
@@ -168,8 +174,9 @@ CASE = Case(
     source=Source(
         "Rao (2011), Mechanical Vibrations, 5th edition, Pearson, chapter 3",
         "",
-        "Harmonic force and motion of the base of a damped mass. Three walls at right angles make "
-        "three such masses of one sphere; every term of a code that is linear acts at once.",
+        "Harmonic force and motion of the base of a damped mass. Between three walls at right "
+        "angles one sphere acts as three such masses; every term of a code that is linear acts at "
+        "once.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass"),

@@ -39,24 +39,24 @@ def _declare(variant: str, p: Parameters) -> Trial:
     path = one.quantities[0]
     assert isinstance(path, Series)
     d2 = dataclasses.replace(path, judge=Exact(PATH, not_judged=SPRINGS))
-    settled = p["duration"] * 4 * _part(p) * p["f"] > 10 * (1 - 1e-9)
-    return Trial(study, (d2, _mean(p)) if settled and _part(p) < SLIPS else (d2,))
+    settled = p["duration"] * 4 * _friction_share(p) * p["f"] > 10 * (1 - 1e-9)
+    return Trial(study, (d2, _mean(p)) if settled and _friction_share(p) < SLIPS else (d2,))
 
 
-def _part(p: Parameters) -> float:
-    """What friction can give of the base's acceleration, mu g/(D w^2)."""
+def _friction_share(p: Parameters) -> float:
+    """The largest acceleration by friction over that of the base, mu g/(D w^2)."""
     return p["mu"] * p["g"] / (p["D"] * (2 * math.pi * p["f"]) ** 2)
 
 
 def _mean(p: Parameters) -> Scalar:
-    """Where the block ends up, after ten time constants pi D w/(2 mu g)."""
-    part = _part(p)
+    """The mean place that the block reaches, after ten time constants pi D w/(2 mu g)."""
+    part = _friction_share(p)
     limit = p["D"] * math.pi**2 / 4 * (1 - 2.3708 * part**2 + 0.32 * part**4)
     bound = Tolerance(
         1.5 * math.exp(-10) + 4 * part / SAMPLES**3 + 3 * part**6,
-        "1.5 exp(-10), what is left of the start after ten time constants; 4 s/n^3, "
-        "s = mu g/(D w^2), by straight lines between n outputs a period, as it begins and at its "
-        "two turns; and the next term of the series, 3 s^6",
+        "1.5 exp(-10) of the start is left after ten time constants; straight lines between n "
+        "outputs a period cause 4 s/n^3, s = mu g/(D w^2), where the period begins and at its two "
+        "reversals; the next term of the series is 3 s^6",
     )
 
     def last(run: Run) -> float:
@@ -97,21 +97,22 @@ LEVELS = {
 PATH = {
     Method.EXACT: Tolerance(
         5e-12,
-        "rounding of the times of up to 2700 turns; time itself is rounded to 1e-14 s at 67 s, in "
-        "which the base moves by 3e-13 of the block's way",
-        slack="over a second, at 100 Hz, time is sharper; one bound serves all",
+        "rounding errors of the times of up to 2700 reversals; time itself is rounded to 1e-14 s "
+        "at 67 s, in which the base moves by 3e-13 of the block's displacement",
+        slack="at 100 Hz the run lasts a second only, and time is rounded less; one bound serves "
+        "all",
     ),
     Method.SECOND_ORDER: Tolerance(
         2e-9,
-        "the block's velocity is straight between turns, which are located within the step; what "
-        "remains is the tolerance they are located to",
+        "the block's velocity is linear between reversals, which are located within the step: the "
+        "tolerance of their location remains",
     ),
 }
 SPRINGS = dict.fromkeys(
     (Method.FIRST_ORDER, Method.PENALTY, Method.LAGGING),
-    "friction that turns on whole steps, or as late as a spring does, lets the block keep whatever "
-    "velocity is less than the base gains in that time, D w^2 dt: 0.1 m/s at 5 Hz and 5e-4 s, of "
-    "0.3 m/s that friction can give it in half a period, and ten times as much as that at 20 Hz",
+    "friction that reverses on whole steps, or with the delay of a spring, leaves an error of "
+    "velocity of up to what the base gains in that time, D w^2 dt: at 5 Hz and 5e-4 s that is 0.1 "
+    "m/s of the 0.3 m/s that friction can give in half a period, and at 20 Hz ten times as much",
 )
 BOTH = {"D": 0.2, "mu": 0.6, "duration": 17.0}
 CASE = Case(
@@ -119,9 +120,9 @@ CASE = Case(
     title="Shaken fast",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "High frequencies are not in the paper. D = 0.2 m and mu = 0.6 are chosen. The block's "
+        "The paper has no high frequencies. D = 0.2 m and mu = 0.6 are chosen. The block's "
         "velocity decays with the time constant pi D w/(2 mu g), 1.7 s at 5 Hz and 6.7 s at 20 Hz, "
-        "of which ten are run; 33.5 s at 100 Hz, where the start alone is.",
+        "of which ten are simulated; at 100 Hz it is 33.5 s, and only the start is simulated.",
     ),
     parameters=tuple(one for one in RESPONDING_BLOCK.parameters if one.name in OWN),
     variants=(

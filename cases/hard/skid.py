@@ -78,8 +78,8 @@ def _judge(unit: float) -> Exact:
         Method.EXACT: Tolerance(1e-12, "two events, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
             coarsest**2 / 5,
-            "(w dt)^2/24 of the half swing's phase; the contact opens within a step, by which the "
-            "force there is off by a part of (w dt)^2/2",
+            "an error of (w dt)^2/24 in the phase of half an oscillation; the contact opens within "
+            "a step, which changes the force there by a fraction of (w dt)^2/2",
             dt=coarsest * unit, order=2,
         ),
     })  # fmt: skip

@@ -28,7 +28,7 @@ SIDES, LONG, DENSITY = (1.0, 0.8), (1.5, 1.2), 2500.0  # m, m, kg/m3
 MASSES = {f"m{i + 1}": DENSITY * SIDES[i] ** 2 * LONG[i] for i in (0, 1)}
 Shape = tuple[Vector, tuple[tuple[int, ...], ...], float, Vector]
 LEAST = 30.0  # deg between the edges
-APART = 1e-10  # m at t = 0: shows in no figure, and is no matter of rounding
+APART = 1e-10  # gap at t = 0 [m]: too small to be seen, and well above rounding errors
 
 
 def _prism(side: float, length: float, edge: Vector, centre: Vector) -> Shape:
@@ -40,7 +40,7 @@ def _prism(side: float, length: float, edge: Vector, centre: Vector) -> Shape:
 
 
 def _scene(p: Parameters) -> Scene:
-    """Their edges cross at the origin, off the middles of both."""
+    """The edges cross at the origin, away from the middles of both."""
     turn = np.radians(p["crossing"])
     edges = AXES[0], np.cos(turn) * AXES[0] + np.sin(turn) * AXES[1]
     arms = np.stack([
@@ -101,15 +101,16 @@ def _check(p: Parameters) -> None:
 
 
 def _judge(coarsest: float) -> Exact:
-    """What rigid contact is held to; coarsest: the longest step [s]."""
+    """The bounds of rigid contact; coarsest: the longest step [s]."""
     second = Tolerance(
         2e-6,
-        "(w dt)^2 of the way, w = 0.8 1/s the quicker spin, by which the prisms turn in the step "
-        "of the impact",
+        "an error of (w dt)^2 of the displacement, w = 0.8 1/s the faster spin: the prisms rotate "
+        "by w dt in the step of the impact",
         dt=coarsest, order=2, floor=1e-8,
     )  # fmt: skip
     first = Tolerance(
-        5e-2, "an impact at the end of its step: dt V over the common displacement, 0.04 m",
+        5e-2, "the impact takes effect at the end of its step: an error of dt V over the common "
+        "displacement of 0.04 m",
         dt=coarsest, order=1,
         slack="prisms that touch at t = 0 meet in the first step, which has no such error",
     )  # fmt: skip
@@ -120,7 +121,7 @@ def _judge(coarsest: float) -> Exact:
 
 
 def _middle(p: Parameters, speed: float, seen: tuple[Observable, ...]) -> Series:
-    """The centre of mass of both, which goes on as before whatever the springs of a code return."""
+    """The centre of mass of both, whose motion does not depend on what springs return."""
 
     def observe(run: Run) -> Vector:
         moved = [MASSES[f"m{i + 1}"] * run.values[what] @ NORMAL for i, what in enumerate(seen)]
@@ -143,13 +144,13 @@ CASE = Case(
         "Goldsmith (1960), Impact: the theory and physical behaviour of colliding solids, "
         "Edward Arnold",
         "",
-        "Chapter 2, impact of rigid bodies; without friction and restitution, as rigid contact "
-        "has none. Any other impulse, point or normal would leave a spin, and two velocities.",
+        "Chapter 2, impact of rigid bodies; without friction and restitution, since rigid contact "
+        "has none. Any other impulse, point or normal would leave spins and two velocities.",
     ),
     parameters=(
         Parameter("crossing", 70.0, "deg", "angle between the edges"),
-        Parameter("a1", 0.3, "m", "from the middle of the lower edge to the contact"),
-        Parameter("a2", -0.2, "m", "from the middle of the upper edge to the contact"),
+        Parameter("a1", 0.3, "m", "distance from the middle of the lower edge to the contact"),
+        Parameter("a2", -0.2, "m", "distance from the middle of the upper edge to the contact"),
         Parameter("V", 1.0, "m/s", "speed of the upper prism"),
         Parameter("duration", 0.1, "s", "time simulated"),
     ),

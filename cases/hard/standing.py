@@ -66,8 +66,8 @@ def _arch(p: Parameters) -> list[Block]:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant in ARCHES and not (p["part"] < 1.0 if variant == "arch-thin" else p["part"] > 1.0):
-        rule = "falls below 1" if variant == "arch-thin" else "stands above 1 only"
-        raise ValueError(f"part = {p['part']!r}; an arch {rule}, the smallest that stands")
+        rule = "below 1, where" if variant == "arch-thin" else "above 1, or"
+        raise ValueError(f"part = {p['part']!r}; it must be {rule} the arch falls")
     if variant in ARCHES:
         _check_friction(p)
     blocks = _arch(p) if variant in ARCHES else _stack(p)
@@ -77,7 +77,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     quantity = (
         _crown_sinking(p)
         if variant == "arch-thin"
-        else _moved(seen, p, STANDS if variant == "arch" else _stacked(p["n"]))
+        else _moved(seen, p, STANDS if variant == "arch" else _stack_bounds(p["n"]))
     )
     study = Ladder(scene, GOALS[variant], seen, LEVELS[variant])
     weighed = sum(block.mass for block in blocks) * p["g"] * p["size"]
@@ -87,7 +87,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _check_friction(p: Parameters) -> None:
-    """Raise ValueError where an arch slides apart; a thinner one is taken as just thick enough."""
+    """Raise ValueError where an arch slides apart; a thinner one counts as just thick enough."""
     thick = max(_thickness(p), JUST_STANDS * arch.thinnest_of_chords(VOUSSOIRS))
     if not arch.stands(VOUSSOIRS, thick, p["mu"]):
         raise ValueError(
@@ -102,7 +102,7 @@ def _moved(seen: tuple[Displacement, ...], p: Parameters, judge: Exact) -> Quant
     )  # fmt: skip
 
 
-def _stacked(n: float) -> Exact:
+def _stack_bounds(n: float) -> Exact:
     """The judge of a stack of n blocks, whose tilts add up towards the top."""
     creep = Tolerance(
         2e-6 * (n / 20) ** 2,
@@ -137,7 +137,7 @@ SHORT, LONG = (Knobs(1e-2, 1e9), Knobs(5e-3, 1e9)), (Knobs(5e-2, 1e9), Knobs(2e-
 COARSE = (Knobs(1e-1, 1e9), Knobs(5e-2, 1e9))
 FALLING = (Knobs(2.5e-3, 1e9), Knobs(1.25e-3, 1e9))
 ARCHES = ("arch", "arch-thin")
-JUST_STANDS = 1.0 + 1e-9  # of the smallest thickness, by which rounding decides
+JUST_STANDS = 1.0 + 1e-9  # of the smallest thickness, so that rounding does not decide
 LEVELS: Mapping[str, Mapping[Level, tuple[Knobs, ...]]] = {
     "stack-10": dict.fromkeys(Level, LONG),
     "stack-20": dict.fromkeys(Level, LONG),
@@ -161,13 +161,14 @@ SETTLES = (
 )
 RESTS = Tolerance(
     5e-9,
-    "nothing moves, so that rounding of the energies of motion is no measure; what rounding moves "
-    "a stack by, 3e-7 of its size in 10 s at most, gives or takes a part of what its weights could",
+    "nothing moves, so that the energies of motion give no scale for rounding errors. These move a "
+    "stack by 3e-7 of its size in 10 s at most, which changes its energy by a fraction of the work "
+    "of its weight over that",
 )
 SINKING = Tolerance(
     2e-8,
-    "contacts are solved to 5e-6 m/s at worst and to about 1e-8 m/s in fact, at which the weights "
-    "would sink by 2e-9 of their size in 0.2 s: friction may give some times that",
+    "contacts are solved to 5e-6 m/s or better, in fact to about 1e-8 m/s, at which the blocks "
+    "would sink by 2e-9 of their size in 0.2 s: friction may add some times the energy of that",
 )
 STANDS = Exact(
     {
@@ -180,9 +181,10 @@ STANDS = Exact(
     }
 )
 HINGED = (
-    "joints that yield make the arch thinner: it falls twice as fast on 1e9 N/m, 1.2 times on "
-    "1e10 and 1.04 times on 1e11; where friction lags, open-close iterations end beyond Coulomb's "
-    "limit, and the run diverges at 5e-3 s and 6.25e-4 s, left out here"
+    "joints that yield act like a thinner arch: it falls twice as fast on 1e9 N/m, 1.2 times as "
+    "fast on 1e10 N/m and 1.04 times on 1e11 N/m. With lagging friction, open-close iterations end "
+    "beyond Coulomb's limit, and the run diverges at steps of 5e-3 s and 6.25e-4 s, which are left "
+    "out here"
 )
 FALLS = Exact(
     {
@@ -191,7 +193,8 @@ FALLS = Exact(
             dt=2.5e-3, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
-            2.5e-2, "a fall that starts half a step late: dt over the 0.2 s of the fall, twice",
+            2.5e-2, "the fall starts half a step late, an error of dt over the 0.2 s of the fall; "
+            "twice that is allowed",
             dt=2.5e-3, order=1,
         ),
     },

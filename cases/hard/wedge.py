@@ -42,12 +42,12 @@ def _axes(dip: float) -> Vector:
 
 
 def _friction(p: Parameters) -> float:
-    """The coefficient that holds a part of what pulls the wedge down."""
+    """The friction coefficient that balances the part `held` of the downhill force."""
     return p["held"] * math.tan(math.radians(p["dip"])) / wedge.pressing(p["xi"])
 
 
 def _scene(p: Parameters) -> Scene:
-    """Two walls, and between them a wedge cut off below, so that its size stays as xi falls."""
+    """Two walls, and between them a wedge cut off below, so that its size does not depend on xi."""
     axes, h = _axes(p["dip"]), p["xi"] / 2
     foot = HALF - HALF * math.tan(h)
     cut = np.array([[-foot, -HALF], [foot, -HALF], [HALF, 0.0], [-HALF, 0.0]])
@@ -81,17 +81,20 @@ def _sphere_scene(p: Parameters) -> Scene:
     return Scene((*walls, sphere), contact, gravity=np.array([0.0, 0.0, -p["g"]]), axes=axes)
 
 
-def _sphere(p: Parameters) -> Trial:
-    """Springs alone: how far it slides is known with them."""
+def _sphere_trial(p: Parameters) -> Trial:
+    """The sphere on springs, with which its exact displacement is known."""
     if not 0 < p["held"] < 1:
-        raise ValueError(f"held = {p['held']!r}; friction must hold a part of the pull on it")
+        raise ValueError(
+            f"held = {p['held']!r}; friction must balance a part of the downhill "
+            "force, between 0 and 1"
+        )
     scene, law = _sphere_scene(p), {name: p[name] for name in (*LAW, "m")}
     w = math.sqrt(2 * p["kn"] / p["m"])
     s = Series(
         "s", "s", "m", "displacement down the groove",
         ComponentAlong(WEDGE, scene.axes[0]),
         functools.partial(wedge_on_springs.slid, mu=_friction(p), ks=p["kn"], **law),
-        _on_springs(w), still=0.5 * p["g"] * SECONDS**2,
+        _spring_bounds(w), still=0.5 * p["g"] * SECONDS**2,
     )  # fmt: skip
     rungs = tuple(Knobs(dt=angle / w) for angle in ANGLES)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
@@ -100,9 +103,9 @@ def _sphere(p: Parameters) -> Trial:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if not p["xi"] < math.pi / 2:
-        raise ValueError(f"xi = {p['xi']!r} rad; it must be below pi/2, or there is no foot")
+        raise ValueError(f"xi = {p['xi']!r} rad; it must be below pi/2, or the wedge has no foot")
     if variant == "sphere":
-        return _sphere(p)
+        return _sphere_trial(p)
     scene = _scene(p)
     law = {name: p[name] for name in LAW}
     s = Series(
@@ -119,13 +122,13 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _judge(xi: float, held: float) -> Exact:
-    """Springs sink by N/kn into either side, and the wedge by 1/sin(xi/2) as much."""
+    """On springs the wedge sinks by N/kn into each side, and 1/sin(xi/2) times as far in all."""
     left = held / (1 - held) if held < 1 else 1.0
     second = Tolerance(
         min((1e-11 / xi + EPS / xi**2) * max(left, 1.0), LARGEST_TOLERANCE),
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, which a narrow "
-        "groove magnifies by 1/sin(xi/2); rounding of what presses a side, W/(2 sin(xi/2)), moves "
-        "the wedge aside, and out of the groove by 1/sin(xi/2) as much",
+        "groove magnifies by 1/sin(xi/2); rounding of the force on a side, W/(2 sin(xi/2)), moves "
+        "the wedge sideways, and 1/sin(xi/2) times as far out of the groove",
     )
     rigid = {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, exact to rounding"),
@@ -135,42 +138,45 @@ def _judge(xi: float, held: float) -> Exact:
             "a start half a step late is an error of dt/2 in a second; twice that is allowed",
             dt=1e-2,
             order=1,
-            slack="forces are constant: a start that is not off leaves rounding errors only",
+            slack="forces are constant: a scheme that starts in time has rounding errors only",
         ),
     }
     if xi < 0.05:
         return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
     swings = Tolerance(
         min(5e-4 / xi**2 * max(left, 0.1) ** 2, LARGEST_TOLERANCE),
-        "the wedge sinks by N/(kn sin(xi/2)), which swings, and its friction with it, the more of "
-        "the way the more friction leaves of the pull; and squared, as it then stops in each swing",
+        "the wedge sinks by N/(kn sin(xi/2)) and oscillates, and its friction with it. The error "
+        "of the displacement grows with the ratio of friction to the downhill force that is left, "
+        "and with its square, since the wedge then stops in each oscillation",
         kn=1e9, softness=0.5,
     )  # fmt: skip
     if held > JUST:
         return Exact({**rigid, Method.PENALTY: swings}, not_judged={Method.LAGGING: HELD_BACK})
     lagging = Tolerance(
-        6e-2, "friction is that of the iteration before, while the wedge sinks and swings"
+        6e-2, "friction is that of the previous iteration, while the wedge sinks and oscillates"
     )
     return Exact({**rigid, Method.PENALTY: swings, Method.LAGGING: lagging})
 
 
-JUST = 0.6  # of the pull: with more friction than that, what lags holds the wedge back
-HELD_BACK = "friction of the iteration before, of a wedge that swings, stops what it should let go"
+# of the downhill force: with more friction than that, lagging friction holds the wedge back
+JUST = 0.6
+HELD_BACK = "friction of the previous iteration stops a wedge that oscillates and should slide"
 
 
-def _on_springs(w: float) -> Exact:
-    """w: rate of the swing on the shear springs [1/s]."""
+def _spring_bounds(w: float) -> Exact:
+    """w: frequency of the oscillation on the shear springs [1/s]."""
     coarsest = ANGLES[0] / w
     return Exact({
         Method.EXACT: Tolerance(1e-12, "one event, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
             ANGLES[0] ** 2 / 4 * 2 / (w * SECONDS),
-            "slip begins within a step, by which the speed it begins with is off by a part of "
-            "(w dt)^2: that speed makes 2/(w T) of the way",
+            "slip begins within a step, which changes its initial speed by a fraction of (w dt)^2; "
+            "that speed causes 2/(w T) of the displacement",
             dt=coarsest, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
-            2 * coarsest / SECONDS, "weight that acts half a step late, over 0.1 s",
+            2 * coarsest / SECONDS, "weight acts half a step late, an error of dt over the 0.1 s "
+            "of the run; twice that is allowed",
             dt=coarsest, order=1,
         ),
     })  # fmt: skip
@@ -179,7 +185,7 @@ def _on_springs(w: float) -> Exact:
 EPS = float(np.finfo(float).eps)
 RADIUS, ANGLES = 0.5, (0.2, 0.1, 0.05)  # m, which does not enter the answer; steps times w
 SECONDS = 0.1
-SUNK = "springs let the wedge sink by W/(4 kn sin^2(xi/2)): in a narrow groove it falls through"
+SUNK = "springs let the wedge sink by W/(4 kn sin^2(xi/2)): it falls through a narrow groove"
 RUNGS = (Knobs(1e-2, 1e9), Knobs(5e-3, 1e9), Knobs(5e-3, 1e10), Knobs(2.5e-3, 1e10))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:3], Level.PAPER: RUNGS}
 FORMULA = "s'' = g (sin i - mu cos i/sin(xi/2)), N = W cos i/(2 sin(xi/2))"
@@ -188,8 +194,8 @@ CASE = Case(
     title="A wedge in a narrow groove",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "Gravity alone. The opening is chosen here, and friction such that half of the downhill "
-        "force remains. The wedge cannot rotate.",
+        "Only gravity acts. The opening angle is chosen, and friction such that half of the "
+        "downhill force remains. The wedge cannot rotate.",
     ),
     parameters=(
         Parameter("dip", 30.0, "degrees", "inclination of the groove"),
@@ -210,6 +216,6 @@ CASE = Case(
         ),
     ),
     declare=_declare,
-    # at 1e-6 rad what is left of impulses moves by 5e-7 as a processor fuses products or not
+    # at 1e-6 rad the residual of impulses changes by 5e-7 with processors that fuse products
     enforced=frozenset(Check) - {Check.REGRESSION},
 )  # fmt: skip
