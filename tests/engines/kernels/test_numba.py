@@ -236,7 +236,7 @@ def test_a_lent_part_reads_a_bundle_and_leaves_its_references_alone() -> None:
 
 
 def test_a_lent_part_that_is_given_an_array_is_refused() -> None:
-    with pytest.raises(TypingError, match="nobody would free it"):
+    with pytest.raises(TypingError, match="nothing would free it"):
         asks(2)
 
 

@@ -1,4 +1,4 @@
-"""What the kernels of all engines share: compilation, vectors of three, driven motion.
+"""Shared parts of the kernels of all engines: compilation, vectors of three, prescribed motions.
 
 May import: base, scene.
 """

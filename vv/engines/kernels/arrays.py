@@ -1,6 +1,6 @@
-"""Arrays that kernels make, and what they ask of whole arrays: each compiled once for all of them.
+"""Functions by which kernels make arrays or evaluate whole arrays, each compiled only once.
 
-numba compiles each of its own functions anew for every shape and constant that it is called with.
+numba compiles its own functions again for every shape and constant with which they are called.
 """
 
 from __future__ import annotations
@@ -21,31 +21,31 @@ Number = TypeVar("Number", int, float)
 
 @called
 def numbers(n: int) -> Vector:
-    """Room for n numbers."""
+    """An uninitialised array of n numbers."""
     return rooms.numbers(n)
 
 
 @called
 def counts(n: int) -> Index:
-    """Room for n integers."""
+    """An uninitialised array of n integers."""
     return rooms.counts(n)
 
 
 @called
 def table(n: int, m: int) -> Vector:
-    """Room for numbers (n, m)."""
+    """An uninitialised array of numbers (n, m)."""
     return rooms.table(n, m)
 
 
 @called
 def rows(n: int) -> Vector:
-    """Room for n vectors (n, 3)."""
+    """An uninitialised array of n vectors (n, 3)."""
     return table(n, 3)
 
 
 @called
 def squares(n: int) -> Vector:
-    """Room for n matrices (n, 3, 3)."""
+    """An uninitialised array of n matrices (n, 3, 3)."""
     return rooms.squares(n)
 
 
@@ -60,7 +60,7 @@ def nil_numbers(n: int) -> Vector:
 
 @called
 def nil_counts(n: int) -> Index:
-    """n integers, all nil."""
+    """n integer zeros."""
     made = counts(n)
     for i in range(n):
         made[i] = 0
@@ -94,7 +94,7 @@ def nil_squares(n: int) -> Vector:
 
 @called
 def unmarked(n: int) -> Mask:
-    """n times False."""
+    """n truth values, all False."""
     made = rooms.marks(n)
     for i in range(n):
         made[i] = False
@@ -103,7 +103,7 @@ def unmarked(n: int) -> Mask:
 
 @called
 def in_order(n: int) -> Index:
-    """0 to n - 1."""
+    """The integers from 0 to n - 1."""
     made = counts(n)
     for i in range(n):
         made[i] = i
@@ -112,7 +112,7 @@ def in_order(n: int) -> Index:
 
 @called
 def same_numbers(source: Vector, n: int) -> Vector:
-    """The first n numbers, in an array of their own."""
+    """A copy of the first n numbers."""
     made = numbers(n)
     for i in range(n):
         made[i] = source[i]
@@ -121,7 +121,7 @@ def same_numbers(source: Vector, n: int) -> Vector:
 
 @called
 def same_counts(source: Index, n: int) -> Index:
-    """The first n integers, in an array of their own."""
+    """A copy of the first n integers."""
     made = counts(n)
     for i in range(n):
         made[i] = source[i]
@@ -130,7 +130,7 @@ def same_counts(source: Index, n: int) -> Index:
 
 @called
 def same_rows(source: Vector, n: int) -> Vector:
-    """The first n vectors (n, 3), in an array of their own."""
+    """A copy of the first n vectors (n, 3)."""
     made = rows(n)
     for i in range(n):
         for c in range(3):
@@ -148,7 +148,7 @@ def clear(table: Vector) -> None:
 
 @lent
 def marked(mask: Mask) -> bool:
-    """Whether any is True."""
+    """Whether any element is True."""
     found = False
     for one in mask:
         found = found or one
@@ -157,7 +157,7 @@ def marked(mask: Mask) -> bool:
 
 @lent
 def least_of(values: Vector) -> float:
-    """The least of numbers, infinity if there are none."""
+    """The least number, or infinity if there are none."""
     least = np.inf
     for value in values:
         least = smaller(least, value)

@@ -1,7 +1,7 @@
-"""What numba is told of bundles.
+"""Registers bundles with numba: their type, and the code that makes them and reads their fields.
 
-Their memory is that of numba's structref, whose fields only code that counts references can read;
-ours are read by parts that are `lent` what they take, too.
+They have the memory layout of numba's structref. Its fields can be read only by code that counts
+references; fields of a bundle can also be read by functions that are `lent` their arguments.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from numba.extending import (
     unbox,
 )
 
-DATA = 3  # words of numba's MemInfo before the pointer to what it holds: refct, dtor, dtor_info
+DATA = 3  # words of numba's MemInfo before the pointer to its data: refct, dtor, dtor_info
 
 
 class Bundle(types.StructRef):
-    """What numba knows of a bundle: the named tuple and the types of its fields."""
+    """The numba type of a bundle: the named tuple and the types of its fields."""
 
     def __init__(self, origin: type, kinds: tuple[Any, ...]) -> None:
         names = origin._fields  # type: ignore[attr-defined]
         super().__init__(list(zip(names, kinds, strict=True)))
-        # numba writes the whole name into every call of the code that it compiles
+        # the name is short since numba writes it into every call that it compiles
         digest = hashlib.sha256(f"{origin.__module__}.{self.name}".encode()).hexdigest()[:12]
         self.name = f"{origin.__name__}.{digest}"
-        self.instance_class = origin  # as numba's own type of a named tuple says it
+        self.instance_class = origin  # the attribute that numba's own type of a named tuple has
 
     def get_data_type(self) -> Any:
-        """The type of what it points at."""
+        """The type of the fields to which it points."""
         return types.StructRefPayload(typename=self.name, fields=self._fields)
 
 
@@ -46,19 +46,19 @@ register_model(Bundle)(cast(Any, models).StructRefModel)
 
 
 def learn(origin: type, made: type) -> None:
-    """Let numba know the values of a named tuple, and the class by which kernels make them."""
+    """Register a named tuple with numba, and the class by which kernels make bundles."""
     typeof_impl.register(origin)(typeof_bundle)
     typeof_impl.register(type(made))(typeof_maker)
     lower_builtin(made, types.VarArg(types.Any))(make)
 
 
 def typeof_bundle(value: Any, context: Any) -> Bundle:
-    """The type of a named tuple from Python."""
+    """The numba type of a named tuple passed from Python."""
     return Bundle(type(value), tuple(typeof_impl(field, context) for field in value))
 
 
 def typeof_maker(origin: Any, context: Any) -> Any:
-    """The type of a named tuple's class, which kernels call to make one."""
+    """The numba type of a named tuple's class, which kernels call to make a bundle."""
 
     class Make(AbstractTemplate):
         key = origin
@@ -70,7 +70,7 @@ def typeof_maker(origin: Any, context: Any) -> Any:
 
 
 def make(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-    """The code for a bundle of fields."""
+    """The code that makes a bundle of given fields, with a new reference to each."""
     kind, fields = signature.return_type, []
     for value, given, (_, wanted) in zip(args, signature.args, kind._fields, strict=True):
         field = context.cast(builder, value, given, wanted)
@@ -81,7 +81,7 @@ def make(context: Any, builder: Any, signature: Any, args: Any) -> Any:
 
 
 def filled(context: Any, builder: Any, kind: Bundle, fields: list[Any]) -> Any:
-    """The code for a bundle that owns its fields from now on."""
+    """The code that makes a bundle which takes over the references to its fields."""
     payload = context.get_value_type(kind.get_data_type())
     memory = context.nrt.meminfo_alloc_dtor_unchecked(
         builder,
@@ -99,18 +99,18 @@ def filled(context: Any, builder: Any, kind: Bundle, fields: list[Any]) -> Any:
 
 @infer_getattr
 class Read(AttributeTemplate):
-    """What numba knows of the fields that code reads."""
+    """The types of fields of bundles that code reads."""
 
     key = Bundle
 
     def generic_resolve(self, kind: Bundle, name: str) -> Any:  # type: ignore[override]
-        """The type of a field; None if there is none of this name."""
+        """The type of a field, or None if there is no field of this name."""
         return kind.field_dict.get(name)
 
 
 @lower_getattr_generic(Bundle)
 def read(context: Any, builder: Any, kind: Bundle, value: Any, name: str) -> Any:
-    """The code that reads a field; it counts the new reference if it counts references at all."""
+    """The code that reads a field; it counts the new reference in code that counts references."""
     word = context.get_value_type(types.voidptr)
     memory = builder.bitcast(builder.extract_value(value, 0), word.as_pointer())
     data = builder.load(
@@ -125,7 +125,7 @@ def read(context: Any, builder: Any, kind: Bundle, value: Any, name: str) -> Any
 
 @unbox(Bundle)
 def unbox_bundle(kind: Bundle, value: Any, c: Any) -> Any:
-    """The code that makes a bundle of a named tuple from Python."""
+    """The code that makes a bundle of a named tuple passed from Python."""
     fields, wrong = [], cgutils.false_bit
     for name, wanted in kind._fields:
         given = c.pyapi.object_getattr_string(value, name)

@@ -1,8 +1,8 @@
-"""Bundles of arrays that kernels pass on as one pointer, where numba would pass every word of each.
+"""Bundles of arrays, which kernels pass on as one pointer.
 
-A named tuple of twenty arrays is 150 words, which numba takes apart and puts together wherever
-it is passed on or kept, and so that much code to compile. To kernels a `bundle` is a pointer to
-its fields, which never change; from Python it is the named tuple that it was.
+A named tuple of twenty arrays has 150 words. numba disassembles and reassembles it wherever it is
+passed or stored, and has to compile all that code. In kernels, a `bundle` is a pointer to fields
+that never change; in Python it is an ordinary named tuple.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ Fields = TypeVar("Fields", bound=type)
 
 
 class Bundled(type):
-    """A named tuple that kernels make as a bundle."""
+    """The class of named tuples that kernels make as bundles."""
 
 
-UNKNOWN: list[tuple[type, type]] = []  # bundles that numba does not know of yet
+UNKNOWN: list[tuple[type, type]] = []  # bundles not yet registered with numba
 
 
 def bundle(origin: Fields) -> Fields:
-    """Let kernels pass a named tuple on as a pointer; returns it, to be made as ever."""
+    """Decorate a named tuple so that kernels pass it as a pointer; in Python it stays the same."""
     named = {name: getattr(origin, name) for name in ("__module__", "__doc__", "__qualname__")}
     made: Any = Bundled(origin.__name__, (origin,), {**named, "__slots__": ()})
     UNKNOWN.append((origin, made))
@@ -31,7 +31,7 @@ def bundle(origin: Fields) -> Fields:
 
 
 def introduce() -> None:
-    """Let numba know of all bundles."""
+    """Register all bundles with numba."""
     from vv.engines.kernels.bundle_types import learn
 
     while UNKNOWN:

@@ -1,4 +1,4 @@
-"""Lets kernels call a function of what they hand it first: that in the file of its class."""
+"""Lets kernels call the function of a given name in the file of the class of its first argument."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ Function = TypeVar("Function", bound=Callable[..., object])
 
 
 def of_its_file(function: Function) -> Function:
-    """A function for kernels to call, inlined: that of this name beside the named tuple's class.
+    """A function that kernels call and inline: the one of this name beside the named tuple's class.
 
-    It may only borrow arrays. numba is loaded where a kernel is first called.
+    It may only borrow arrays. numba is loaded when a kernel is first called.
     """
     return cast(Function, Deferred(function, wrap))
 
 
 def wrap(function: Any) -> Any:
-    """What tells numba the type of such a function."""
+    """The object from which numba takes the type of such a function."""
     from numba.core.registry import cpu_target
     from numba.extending import overload
 
@@ -40,5 +40,5 @@ def wrap(function: Any) -> Any:
 
 
 def hook_of(kind: Any, name: str) -> Any:
-    """The function of a name beside the class of a numba type; None if there is none."""
+    """The function of a name in the module of a numba type's class, or None if there is none."""
     return getattr(sys.modules[kind.instance_class.__module__], name, None)

@@ -1,7 +1,7 @@
-"""Compiles kernels, once per machine: options, and a disk cache named by their sources.
+"""Compiles kernels once per machine, with a disk cache that is named by their sources.
 
-numba is loaded where a kernel is first called, so that a file may hold kernels beside what scenes
-are described by.
+numba is loaded when a kernel is first called, so that files with kernels can be imported without
+it.
 """
 
 from __future__ import annotations
@@ -22,15 +22,13 @@ HERE = Path(__file__).resolve()
 SOURCES = HERE.parents[3]  # the folder that holds this package `vv`
 ROUNDING: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
 HIDDEN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-COUNTED: dict[str, Any] = {
-    "_nrt": True
-}  # numba takes it from the first caller where it is not said
+COUNTED: dict[str, Any] = {"_nrt": True}  # if not given, numba takes it from the first caller
 LENT: dict[str, Any] = {"_nrt": False}
 ENTRY: dict[str, Any] = {"no_cfunc_wrapper": True, **COUNTED}
 
 
 class Deferred:
-    """A function that numba wraps when it is first called, or met by what numba compiles."""
+    """A function that numba wraps when it is first called, or used in code that it compiles."""
 
     def __init__(self, function: Callable[..., object], wrap: Callable[[Any], Any]) -> None:
         functools.update_wrapper(self, function)
@@ -38,7 +36,7 @@ class Deferred:
 
     @functools.cached_property
     def dispatcher(self) -> Any:
-        """What numba makes of the function."""
+        """The function as wrapped by numba."""
         introduce()
         return self._wrap(self._function)
 
@@ -46,57 +44,58 @@ class Deferred:
         return self.dispatcher(*args)
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(self.dispatcher, name)  # numba asks for its type in this way
+        return getattr(self.dispatcher, name)  # numba looks up its type in this way
 
 
 def compiled(function: Kernel) -> Kernel:
-    """The function compiled for each combination of argument types it meets, and kept on disk.
+    """The function, compiled for each combination of argument types and cached on disk.
 
-    An argument that is None is known to the compiler: branches it rules out are not compiled.
-    Rounding is that of the source but for `contract`, which lets a product and a sum fuse.
+    An argument that is None is known to the compiler: branches that it excludes are not compiled.
+    Rounding is that of the source except for `contract`, by which a product and a sum may be fused.
     """
     return cast(Kernel, Deferred(function, whole))
 
 
 def compiled_to_branch(function: Kernel) -> Kernel:
-    """As `compiled`, for a kernel that decides more than it computes, whose loops are short.
+    """The same as `compiled`, for a kernel with many branches and short loops.
 
-    They are not unrolled, which would be a tenth of what compiling takes. They are made of vectors,
-    without which sweeps over the contacts of many blocks take twice as long.
+    Its loops are not unrolled, which would take a tenth of the time of compiling. They are
+    vectorised: without that, sweeps over the contacts of many blocks take twice as long.
     """
     return cast(Kernel, Deferred(function, functools.partial(whole, branches=True)))
 
 
 def inlined(function: Kernel) -> Kernel:
-    """A function for kernels to call: it becomes part of them and has no entry from Python.
+    """A function that is inlined into kernels and cannot be called from Python.
 
-    A call would pass each array as seven words, which costs more than most of these compute. It
-    may only borrow arrays, as what is `lent`.
+    A call would pass each array as seven words, which costs more than most of these functions
+    compute. It may only borrow arrays, like a function that is `lent` them.
     """
     return part(function, forceinline=True, **LENT)
 
 
 def lent(function: Kernel) -> Kernel:
-    """A function for kernels to call that borrows arrays: it neither makes nor returns any.
+    """A function for kernels that borrows arrays: it neither makes nor returns any.
 
-    References to arrays are not counted in it, which is most of what compiling it would take. It
-    may call no part that returns an array, which nobody would free; numba is told to refuse that.
+    References to arrays are not counted in it, which saves most of the time of compiling it. It
+    must not call a function that returns an array, since nothing would free that; compiling such a
+    call fails.
     """
     return part(function, **LENT)
 
 
 def called(function: Kernel) -> Kernel:
-    """A function for kernels to call that makes arrays, or returns some."""
+    """A function for kernels that makes or returns arrays."""
     return part(function, **COUNTED)
 
 
 def inlined_called(function: Kernel) -> Kernel:
-    """As `called`, for what is so short that it becomes part of kernels."""
+    """The same as `called`, for a function so short that it is inlined."""
     return part(function, forceinline=True, **COUNTED)
 
 
 def part(function: Kernel, **options: Any) -> Kernel:
-    """A function for kernels to call, compiled by these options of numba's."""
+    """A function for kernels, compiled with these options of numba."""
 
     def wrap(function: Kernel) -> Any:
         import numba
@@ -109,19 +108,19 @@ def part(function: Kernel, **options: Any) -> Kernel:
 
 
 def shared(function: Kernel) -> Kernel:
-    """A function for kernels to call, whose numba.prange is shared out to threads."""
+    """A function for kernels, whose loops over numba.prange are distributed over threads."""
 
     def wrap(function: Kernel) -> Any:
         import numba
 
-        function.__globals__["numba"] = numba  # which it names, and which is loaded only now
+        function.__globals__["numba"] = numba  # the function uses it
         return numba.njit(parallel=True, **COUNTED, **HIDDEN, **ROUNDING)(function)
 
     return cast(Kernel, Deferred(function, wrap))
 
 
 def whole(function: Kernel, branches: bool = False) -> Any:
-    """What numba makes of a function that is called from Python; branches: its loops are short."""
+    """The function as wrapped by numba, to be called from Python; branches: its loops are short."""
     import numba
 
     from vv.engines.kernels.compiler.parts import BranchingCompiler, WholeCompiler
@@ -129,7 +128,7 @@ def whole(function: Kernel, branches: bool = False) -> Any:
     config: Any = numba.config
     before = config.CACHE_DIR
     folder = cache_folder(Path(function.__code__.co_filename))
-    config.CACHE_DIR = str(folder)  # numba reads it once, as it wraps a function
+    config.CACHE_DIR = str(folder)  # numba reads it once, when it wraps a function
     try:
         compiler = BranchingCompiler if branches else WholeCompiler
         kernel: Any = numba.njit(cache=True, pipeline_class=compiler, **ENTRY, **ROUNDING)(function)
@@ -140,10 +139,10 @@ def whole(function: Kernel, branches: bool = False) -> Any:
 
 
 def entry(kernel: Kernel, arguments: tuple[Any, ...]) -> Kernel:
-    """The machine code of a kernel for the types of these arguments; compiled if it is not yet.
+    """The machine code of a kernel for the types of these arguments, compiled if necessary.
 
-    It may be given arguments of these types only, and does not look at them again, which would take
-    longer than a hundred steps of a small scene.
+    It may only be called with arguments of these types and does not check them: the check would
+    take longer than a hundred steps of a small scene.
     """
     dispatcher = cast(Deferred, kernel).dispatcher
     kinds = tuple(map(dispatcher.typeof_pyval, arguments))
@@ -153,7 +152,7 @@ def entry(kernel: Kernel, arguments: tuple[Any, ...]) -> Kernel:
 
 
 def load() -> None:
-    """Load all of numba that the first call of any kernel loads, scipy's BLAS with it."""
+    """Load all modules of numba that the first call of any kernel needs, and scipy's BLAS."""
     from numba.core.registry import cpu_target
 
     cpu_target.typing_context.refresh()
@@ -167,11 +166,11 @@ def load() -> None:
 
 
 def cache_folder(source: Path) -> Path:
-    """Where the kernels of a file are cached: a folder named by all of an engine it imports.
+    """The cache folder of the kernels of a file, named by the digest of all sources they use.
 
-    numba checks only the file a kernel is in, not those of the functions it calls, and would go
-    on using what was compiled before one of these was edited. Nor does it see whether arguments
-    still lie in memory where what is cached reads them.
+    numba checks only the file of a kernel and not those of the functions that it calls, so that it
+    would use outdated machine code after one of these has been edited. Nor does it check whether
+    arguments still have the memory layout that the machine code reads.
     """
     from vv.engines.kernels.compiler.layout import is_known
 
@@ -180,7 +179,7 @@ def cache_folder(source: Path) -> Path:
 
 
 def kernel_sources(source: Path, root: Path) -> list[Path]:
-    """What the kernels of a file are made of: the file, and all that it imports of an engine.
+    """The sources of the kernels of a file: the file, and all files of engines that it imports.
 
     root: the folder that holds the package `vv`.
     """

@@ -1,4 +1,4 @@
-"""What moves walls and shakes bodies, as arrays of sines, and kernels that evaluate it."""
+"""Prescribed motions of walls and shaking as arrays of sines, and kernels that evaluate them."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ NO_MOTION = Harmonic(np.zeros(3), np.zeros(3))
 
 @bundle
 class Drive(NamedTuple):
-    """k sines: direction (k, 3) times amplitude, omega (k,) [rad/s], phase (k,) [rad].
+    """A sum of k sines: direction times amplitude (k, 3), omega (k,) [rad/s], phase (k,) [rad].
 
-    start (k,): their sines at t = 0. until (k,): when they end [s], as `value` and `mean` see it.
+    start (k,): values of the sines at t = 0. until (k,): end of each sine [s], which only `value`
+    and `mean` take into account.
     """
 
     direction: Vector
@@ -32,7 +33,7 @@ class Drive(NamedTuple):
 
 
 def drive(given: Harmonic | Pulse) -> Drive:
-    """The sines of a motion that are not nil."""
+    """The sines of a motion with an amplitude other than zero."""
     motion = given.wave if isinstance(given, Pulse) else given
     until = given.until if isinstance(given, Pulse) else np.inf
     there = motion.amplitude != 0
@@ -42,7 +43,7 @@ def drive(given: Harmonic | Pulse) -> Drive:
 
 
 def drives(motions: tuple[Harmonic | None, ...]) -> tuple[Drive, Starts]:
-    """The sines of several motions, and where each begins (w + 1,); None is no motion."""
+    """The sines of several motions, and the index (w + 1,) of the first of each; None is none."""
     parts = [drive(motion or NO_MOTION) for motion in motions]
     starts = np.cumsum([0, *(len(part.omega) for part in parts)]).astype(np.int64)
     joined = [np.concatenate(arrays) for arrays in zip(drive(NO_MOTION), *parts, strict=True)]
@@ -51,7 +52,7 @@ def drives(motions: tuple[Harmonic | None, ...]) -> tuple[Drive, Starts]:
 
 @called
 def one_of(drive: Drive, start: Starts, k: int) -> Drive:
-    """The k-th of several motions."""
+    """The motion k of several motions."""
     part = slice(start[k], start[k + 1])
     return Drive(
         drive.direction[part],
@@ -75,7 +76,7 @@ def value(drive: Drive, time: float) -> Triple:
 
 @lent
 def travel(drive: Drive, time: float) -> Triple:
-    """motion(time) - motion(0)."""
+    """The displacement since t = 0, motion(time) - motion(0)."""
     total = (0.0, 0.0, 0.0)
     for k in range(len(drive.omega)):
         since = np.sin(drive.omega[k] * time + drive.phase[k]) - drive.start[k]

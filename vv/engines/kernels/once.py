@@ -1,4 +1,4 @@
-"""Lets one process compile a kernel while others that need the same wait, and then load it."""
+"""Lets one process compile a kernel while others that need it wait, and then load it."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from pathlib import Path
 
 
 def once(compile_it: Callable[[object], object], place: Path) -> Callable[[object], object]:
-    """How a kernel is compiled for a signature, or loaded where another process has done so.
+    """A function that compiles a kernel for a signature, or loads it if another process did so.
 
-    place: where locks are kept, beside the cache; their names begin with its name.
+    place: a path beside the cache, with whose name those of the lock files begin.
     """
 
     def compile_or_wait(signature: object) -> object:
@@ -25,7 +25,7 @@ def once(compile_it: Callable[[object], object], place: Path) -> Callable[[objec
 
 @contextlib.contextmanager
 def lock(path: Path) -> Iterator[None]:
-    """Hold a lock among processes, which its holder's end frees; none where none can be had."""
+    """Hold a lock between processes, which ends with its holder; none if locks are not possible."""
     with contextlib.ExitStack() as held:
         with contextlib.suppress(OSError):
             path.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Lets kernels bring a row of an array into the cache before they need it."""
+"""Lets kernels prefetch a row of an array into the cache."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from typing import Any, cast
 from vv.engines.kernels.compiled import Deferred
 from vv.scene import Vector
 
-READ, KEPT, DATA = 0, 3, 1  # of llvm.prefetch: what for, how long it is kept, which cache
+READ, KEPT, DATA = 0, 3, 1  # arguments of llvm.prefetch: access, locality, kind of cache
 
 
 def _begin_to_read(rows: Vector, i: int, column: int) -> None:
-    """Ask for the line of the cache that holds rows[i, column]; for kernels only."""
+    """Prefetch the cache line that contains rows[i, column]; for kernels only."""
 
 
 def _wrap(function: Any) -> Any:
-    """What numba is told of it."""
+    """The object from which numba takes the type of this function and generates its code."""
     from llvmlite import ir
     from numba.core import types
     from numba.core.registry import cpu_target

@@ -1,7 +1,7 @@
-"""Arrays that kernels make, without the questions that numba asks before.
+"""Allocates arrays in kernels without numba's checks.
 
-It asks whether so much can be addressed, and raises what Python would raise if there is no memory;
-here the process ends then, which is told as a crash of the code.
+numba checks whether the size is addressable, and raises an exception if there is no memory; here
+the process ends in this case, which is reported as a crash.
 """
 
 from __future__ import annotations
@@ -17,46 +17,49 @@ import numpy.typing as npt
 from vv.engines.kernels.compiled import Deferred
 from vv.scene import Mask, Vector
 
-ALIGNED = 32  # bytes, as numba aligns arrays
+ALIGNED = 32  # bytes, numba's alignment of arrays
 
 
 def _numbers(n: int) -> Vector:
-    """Room for n numbers."""
+    """An uninitialised array of n numbers."""
     return np.empty(n)
 
 
 def _counts(n: int) -> npt.NDArray[np.int64]:
-    """Room for n integers."""
+    """An uninitialised array of n integers."""
     return np.empty(n, np.int64)
 
 
 def _marks(n: int) -> Mask:
-    """Room for n truths."""
+    """An uninitialised array of n truth values."""
     return np.empty(n, np.bool_)
 
 
 def _table(n: int, m: int) -> Vector:
-    """Room for numbers (n, m)."""
+    """An uninitialised array of numbers (n, m)."""
     return np.empty((n, m))
 
 
 def _count_table(n: int, m: int) -> npt.NDArray[np.int64]:
-    """Room for integers (n, m)."""
+    """An uninitialised array of integers (n, m)."""
     return np.empty((n, m), np.int64)
 
 
 def _squares(n: int) -> Vector:
-    """Room for n matrices (n, 3, 3)."""
+    """An uninitialised array of n matrices (n, 3, 3)."""
     return np.empty((n, 3, 3))
 
 
 def _row_table(n: int, m: int) -> Vector:
-    """Room for vectors (n, m, 3)."""
+    """An uninitialised array of vectors (n, m, 3)."""
     return np.empty((n, m, 3))
 
 
-def _wrap(item: np.dtype[Any], tail: tuple[int, ...], nil: bool, function: Any) -> Any:
-    """What numba is told of such a function; tail: the axes that are always of this length."""
+def _wrap(item: np.dtype[Any], tail: tuple[int, ...], zero: bool, function: Any) -> Any:
+    """The object from which numba takes the type and code of such a function.
+
+    tail: fixed lengths of the last axes; zero: whether the array is filled with zeros.
+    """
     from numba.core import types
     from numba.core.registry import cpu_target
     from numba.extending import intrinsic
@@ -69,7 +72,7 @@ def _wrap(item: np.dtype[Any], tail: tuple[int, ...], nil: bool, function: Any) 
 
     def write(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         shape = [*args, *(context.get_constant(types.intp, n) for n in tail)]
-        return allocated(context, builder, kind, item.itemsize, shape, nil)
+        return allocated(context, builder, kind, item.itemsize, shape, zero)
 
     @intrinsic
     def one(context: Any, n: Any) -> Any:
@@ -84,8 +87,10 @@ def _wrap(item: np.dtype[Any], tail: tuple[int, ...], nil: bool, function: Any) 
     return SimpleNamespace(_numba_type_=typing.resolve_value_type(one if given == 1 else two))
 
 
-def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any], nil: bool) -> Any:
-    """The code for an array of this shape, whose elements have so many bytes; nil: all zeros."""
+def allocated(
+    context: Any, builder: Any, kind: Any, size: int, shape: list[Any], zero: bool
+) -> Any:
+    """The code for an array of a shape and size of elements [bytes]; zero: filled with zeros."""
     from numba.core import cgutils, types
     from numba.np.arrayobj import populate_array
 
@@ -101,24 +106,24 @@ def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any]
     array = context.make_array(kind)(context, builder)
     data = builder.bitcast(context.nrt.meminfo_data(builder, memory), array.data.type)
     fill: Any = populate_array
-    if nil:
+    if zero:
         code.memset(builder, data, strides[0], 0)
     fill(array, data, shape, strides[1:], size, memory)
     return array._getvalue()
 
 
-def _made(function: Any, item: Any, tail: tuple[int, ...] = (), nil: bool = False) -> Any:
-    return cast(Any, Deferred(function, functools.partial(_wrap, np.dtype(item), tail, nil)))
+def _made(function: Any, item: Any, tail: tuple[int, ...] = (), zero: bool = False) -> Any:
+    return cast(Any, Deferred(function, functools.partial(_wrap, np.dtype(item), tail, zero)))
 
 
-def of_nil_records(item: np.dtype[Any]) -> Callable[[int], Any]:
-    """What makes n records of this type, all of whose numbers are nil."""
+def of_zero_records(item: np.dtype[Any]) -> Callable[[int], Any]:
+    """A function that makes n records of this type, filled with zeros."""
 
     def records(n: int) -> Any:
         """n records."""
         return np.zeros(n, item)
 
-    return cast(Callable[[int], Any], _made(records, item, nil=True))
+    return cast(Callable[[int], Any], _made(records, item, zero=True))
 
 
 numbers: Callable[[int], Vector] = _made(_numbers, np.float64)

@@ -1,4 +1,4 @@
-"""Calls a kernel that shares its loops out to threads."""
+"""Calls a kernel whose loops are distributed over threads."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ SPINS = "3000000"
 
 
 def on_threads(threads: int, kernel: Callable[..., int], arguments: tuple[Any, ...]) -> int:
-    """Call a kernel with so many threads to share; raises ValueError if numba may not have them."""
+    """Call a kernel with a number of threads; raises ValueError if numba does not allow so many."""
     import numba
 
     before = _threads_that_spin()
@@ -22,10 +22,11 @@ def on_threads(threads: int, kernel: Callable[..., int], arguments: tuple[Any, .
 
 
 def _threads_that_spin() -> int:
-    """Start numba's threads, unless they run; how many of them share at present.
+    """Start numba's threads unless they are running; returns the number in use.
 
-    They are OpenMP's, which share loops out evenly and can wait awake for some milliseconds: to
-    wake one costs as much as a step. A user's own choice of either stands.
+    The threads are those of OpenMP, which distribute loops evenly and can spin for some
+    milliseconds while they wait: waking a thread costs as much as a step. If the user has chosen
+    a threading layer or a spin count, the choice is kept.
     """
     import numba
 

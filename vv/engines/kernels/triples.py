@@ -1,4 +1,4 @@
-"""Vectors of three numbers, inlined into kernels."""
+"""Operations on vectors of three numbers, inlined into kernels."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""How numba compiles kernels here: its passes, its code and its calls, less what is not needed."""
+"""Adapts numba's compiler to kernels: its passes, code and calls, without needless work."""

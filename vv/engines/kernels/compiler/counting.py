@@ -1,7 +1,7 @@
-"""numba's counting of references, which takes nothing apart that holds none.
+"""numba's reference counting, limited to values that hold references.
 
-numba takes out every word of an array, and of every bundle of arrays, to find the one that is
-counted; that was a fifth of all that kernels were written as.
+numba extracts every word of an array, and of every bundle of arrays, to find the one that is
+counted; this made a fifth of the generated code of kernels.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ HOLDS: dict[Any, bool] = {}  # whether values of a type hold references
 
 
 def holds_references(manager: Any, kind: Any) -> bool:
-    """Whether references to what a value of this type holds are counted."""
+    """Whether values of this type hold counted references."""
     if kind not in HOLDS:
         HOLDS[kind] = bool(manager[kind].contains_nrt_meminfo())
     return HOLDS[kind]
 
 
 class Counting(NUMBA):  # type: ignore[misc]
-    """What writes the code that counts."""
+    """Generates the code that counts references."""
 
     def get_meminfos(self, builder: Any, ty: Any, val: Any) -> Any:
-        """All that is counted in a value, each with its type."""
+        """The counted references in a value, each with its type."""
         manager = self._context.data_model_manager
         if not holds_references(manager, ty):
             return []

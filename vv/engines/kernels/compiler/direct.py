@@ -1,8 +1,8 @@
-"""How parts of kernels are called: they are given values as they are, and return one.
+"""The calling convention of functions within kernels: values are passed and returned directly.
 
-numba takes structures apart for each call and puts them together again on the other side, returns
-through memory, and has whoever calls ask whether something was raised. A part that may raise is
-called in that way still.
+numba disassembles structures for each call and reassembles them in the callee, returns through
+memory, and lets the caller check for exceptions. Functions that may raise are still called in this
+way.
 """
 
 from __future__ import annotations
@@ -19,53 +19,53 @@ NUMBA_ERROR: Any = errors.NumbaError
 
 
 class MayRaiseError(NUMBA_ERROR):  # type: ignore[misc]
-    """A function that was to be called directly may raise, which only numba's way can tell."""
+    """A function to be called directly may raise, which only numba's convention can report."""
 
 
 class Outward(CONVENTION):  # type: ignore[misc]
-    """numba's way to call its own functions, for a function that could not hand on what they raise.
+    """numba's convention for calls of its own functions from one that cannot pass on exceptions.
 
-    The process ends there, as where an index of an array is wrong.
+    An exception ends the process, as a wrong index of an array does.
     """
 
     def return_user_exc(self, builder: Any, *_: Any, **__: Any) -> None:
-        """Raise what numba raises for a wrong index or shape."""
+        """End the process where numba raises an exception, for example for a wrong index."""
         end_process(builder)
         builder.unreachable()
 
     def return_status_propagate(self, builder: Any, status: Any) -> None:
-        """Raise what one of numba's functions raised."""
+        """End the process where one of numba's functions has raised an exception."""
         end_process(builder)
         builder.unreachable()
 
 
 class Direct(CONVENTION):  # type: ignore[misc]
-    """The way in which a function that cannot raise is called, and returns."""
+    """The convention for calling a function that cannot raise."""
 
     def get_function_type(self, restype: Any, argtypes: Any) -> Any:
-        """The type of the function."""
+        """The LLVM type of the function."""
         kinds = [self.context.get_value_type(kind) for kind in argtypes]
         return ir.FunctionType(self.context.get_value_type(restype), kinds)
 
     def decode_arguments(self, builder: Any, argtypes: Any, func: Any) -> Any:
-        """The values that the function is given."""
+        """The values of the function's arguments."""
         return func.args
 
     def return_user_exc(self, *_: Any, **__: Any) -> None:
-        """Raise what the source of the function raises."""
+        """Refuse to compile the function, since its source raises an exception."""
         raise MayRaiseError("a function that is called directly cannot raise")
 
     return_dynamic_user_exc = return_user_exc
 
 
 def end_process(builder: Any) -> None:
-    """The code that ends the process, which is told as a crash of the code."""
+    """Generate the code that ends the process, which is reported as a crash."""
     kind = ir.FunctionType(ir.VoidType(), [])
     builder.call(CODE.get_or_insert_function(builder.module, kind, "llvm.trap"), [])
 
 
 def declared(context: Any, module: Any, described: Any) -> Any:
-    """A function that is called directly."""
+    """The declaration in a module of a function that is called directly."""
     kind = Direct(context).get_function_type(described.restype, described.argtypes)
     function = CODE.get_or_insert_function(module, kind, described.mangled_name)
     if described.inline:
@@ -74,7 +74,7 @@ def declared(context: Any, module: Any, described: Any) -> Any:
 
 
 def direct_call(described: Any, library: Any) -> Any:
-    """What writes the code that calls such a function."""
+    """The generator of code that calls such a function."""
 
     def call(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         value = builder.call(declared(context, builder.module, described), args)
@@ -86,7 +86,10 @@ def direct_call(described: Any, library: Any) -> Any:
 
 
 def call_that_raises(described: Any, library: Any) -> Any:
-    """What writes the code that calls a function in numba's way, from what can hand on an error."""
+    """The generator of code that calls a function by numba's convention.
+
+    The caller must be able to pass on an exception.
+    """
     ours = OURS.user_function(described, (library,))
 
     def call(context: Any, builder: Any, signature: Any, args: Any) -> Any:

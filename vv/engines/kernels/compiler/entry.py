@@ -1,9 +1,9 @@
-"""How Python calls kernels: their arguments have the types compiled for, and are only borrowed.
+"""The entry by which Python calls kernels: arguments have known types and are only borrowed.
 
-numba looks at each argument again and counts references to it, which takes as long as ten steps of
-a small scene, and writes several blocks of code for each. Whoever calls holds on to the arguments,
-and has seen their types (`vv.engines.kernels.compiled.entry`). Where objects do not lie in memory
-as is known (`layout.py`), kernels have numba's own entry.
+numba's own entry checks each argument and counts references to it, which takes as long as ten steps
+of a small scene, and it generates several blocks of code for each. Here the caller holds the
+references and has checked the types (`vv.engines.kernels.compiled.entry`). If the memory layout of
+objects is not the expected one (`layout.py`), kernels use numba's own entry.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ BYTES: Any = ir.IntType(8).as_pointer()
 
 
 def is_plain(described: Any) -> bool:
-    """Whether a function returns an integer and takes all its arguments from the caller.
+    """Whether a function can have this entry: it returns an integer and has no default arguments.
 
-    It must also be known where these lie.
+    The memory layout of arguments must also be known.
     """
     if not layout.is_known():
         return False
@@ -36,10 +36,10 @@ def is_plain(described: Any) -> bool:
 
 
 def add_entry(context: Any, library: Any, described: Any) -> None:
-    """Add to a library what Python calls, in place of numba's."""
+    """Add the entry to a library, in place of numba's own."""
     module, kinds = context.create_module("wrapper"), described.argtypes
     python = context.get_argument_type(types.pyobject)
-    kind = ir.FunctionType(python, [python] * 3)  # what the function belongs to, arguments, names
+    kind = ir.FunctionType(python, [python] * 3)  # module, arguments, keyword names
     outer = ir.Function(module, kind, described.llvm_cpython_wrapper_name)
     builder = Folding(outer.append_basic_block("entry"))
     api, found = context.get_python_api(builder), outer.args[1]
@@ -64,22 +64,22 @@ def add_entry(context: Any, library: Any, described: Any) -> None:
 
 
 def refuse_unless(builder: Any, api: Any, found: Any, wanted: int) -> None:
-    """Raise TypeError for another number of arguments than is wanted."""
+    """Generate the code that raises TypeError for a wrong number of arguments."""
     with CODE.if_unlikely(builder, builder.icmp_signed("!=", found, found.type(wanted))):
         api.err_set_string("PyExc_TypeError", f"this kernel takes {wanted} arguments")
         builder.ret(api.get_null_object())
 
 
 def word(builder: Any, base: Any, offset: int, kind: Any) -> Any:
-    """The value of this type so many bytes after a pointer."""
+    """The value of a type at an offset [bytes] from a pointer."""
     place = builder.gep(builder.bitcast(base, BYTES), [WORD(offset)])
     return builder.load(builder.bitcast(place, kind.as_pointer()))
 
 
 class Given:
-    """What writes the code that takes values out of Python's objects.
+    """Generates the code that reads values from Python objects.
 
-    wrong: whether a number could not be read; bundles: those that were made, each after its type.
+    wrong: whether a number could not be read; bundles: the bundles made, as pairs with their types.
     """
 
     def __init__(self, context: Any, builder: Any, api: Any) -> None:
@@ -88,7 +88,7 @@ class Given:
         self.bundles: list[tuple[Any, Any]] = []
 
     def value(self, kind: Any, found: Any) -> Any:
-        """The value of an object."""
+        """The value of an object of a given numba type."""
         if isinstance(kind, types.Array):
             return self.array(kind, found)
         if isinstance(kind, TUPLE):
@@ -97,7 +97,7 @@ class Given:
             before = len(self.bundles)
             fields = self.items([wanted for _, wanted in kind._fields], found)
             made = filled(self.context, self.builder, kind, fields)
-            del self.bundles[before:]  # those among its fields, which it frees
+            del self.bundles[before:]  # those among its fields, which are freed with it
             self.bundles.append((kind, made))
             return made
         native = self.api.to_native_value(kind, found)
@@ -105,14 +105,14 @@ class Given:
         return native.value
 
     def items(self, kinds: Any, whole: Any) -> list[Any]:
-        """The values of a tuple's items."""
+        """The values of the items of a tuple."""
         places = (
             word(self.builder, whole, layout.ITEMS + 8 * k, whole.type) for k in range(len(kinds))
         )
         return [self.value(kind, place) for kind, place in zip(kinds, places, strict=True)]
 
     def array(self, kind: Any, found: Any) -> Any:
-        """An array that holds no reference."""
+        """An array without a counted reference."""
         context, builder = self.context, self.builder
         shape, strides = (
             self.along(kind.ndim, found, first) for first in (layout.SHAPE, layout.STRIDES)
@@ -125,11 +125,11 @@ class Given:
         return together(builder, whole, *owners, many, size, data, *axes)
 
     def free(self) -> None:
-        """Free the bundles."""
+        """Generate the code that frees the bundles."""
         for kind, made in self.bundles:
             self.context.nrt.decref(self.builder, kind, made)
 
     def along(self, axes: int, found: Any, offset: int) -> list[Any]:
-        """The numbers of all axes to which the pointer there points."""
+        """The numbers, one for each axis, to which the pointer at an offset points."""
         first = word(self.builder, found, offset, WORD.as_pointer())
         return [word(self.builder, first, 8 * axis, WORD) for axis in range(axes)]

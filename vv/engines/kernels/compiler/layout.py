@@ -1,7 +1,7 @@
-"""Where words of tuples and arrays of Python lie in memory, and whether they lie there here.
+"""The memory layout of Python's tuples and numpy's arrays, and a check that it holds.
 
-CPython and numpy promise programs in C that these places stay in a version that such programs are
-built for; a kernel knows of no version, so they are looked at before any is compiled or loaded.
+CPython and numpy guarantee the layout to C programs built for their version. Kernels are not built
+for a version, so that the layout is checked before any kernel is compiled or loaded.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ POINTER = ctypes.c_void_p
 
 @functools.cache
 def is_known() -> bool:
-    """Whether a tuple and an array lie in memory as kernels read them."""
+    """Whether tuples and arrays have the memory layout that kernels expect."""
     if sys.implementation.name != "cpython" or ctypes.sizeof(POINTER) != 8:
         return False
     strided = np.arange(60.0).reshape(5, 4, 3)[1::2, :, 1]
@@ -29,15 +29,15 @@ def is_known() -> bool:
 
 
 def tuple_is_known() -> bool:
-    """Whether a tuple's items are where they are looked for."""
+    """Whether the items of a tuple are at the expected offsets."""
     pair = (object(), object())
     return [word(pair, ITEMS + 8 * k) for k in range(2)] == [id(one) for one in pair]
 
 
 def array_is_known(array: np.ndarray) -> bool:
-    """Whether an array's words are where they are looked for.
+    """Whether the words of an array are at the expected offsets.
 
-    What may be no pointer is not followed: numpy keeps strides behind the shape.
+    Words that may not be pointers are not dereferenced: numpy stores strides behind the shape.
     """
     if np.ndarray.__basicsize__ < max(DATA, SHAPE, STRIDES) + 8:
         return False
@@ -53,5 +53,5 @@ def array_is_known(array: np.ndarray) -> bool:
 
 
 def word(one: object, offset: int) -> int:
-    """The pointer so many bytes after the begin of an object."""
+    """The pointer at an offset [bytes] from the start of an object."""
     return POINTER.from_address(id(one) + offset).value or 0

@@ -1,7 +1,7 @@
-"""What numba writes of elements of arrays and of `range`, in a third of its words.
+"""Generates the code for elements of arrays and for `range`, a third as long as numba's.
 
-Most of what kernels compile is the reading of elements in loops, of which numba makes copies of
-whole arrays in memory and iterators with states, for LLVM to take out again.
+Most code of kernels reads elements in loops. For these numba generates copies of whole arrays in
+memory and iterators with a state, which LLVM then has to remove.
 """
 
 from __future__ import annotations
@@ -25,45 +25,45 @@ from vv.engines.kernels.compiler.folding import together
 CODE: Any = numba_code
 TUPLE: Any = types.BaseTuple
 NUMBA: Any = CPUContext
-BUFFER, SHAPE, STRIDES = 4, 5, 6  # the places of these words of an array
+BUFFER, SHAPE, STRIDES = 4, 5, 6  # the positions of these words in an array
 RANGES = (types.range_state32_type, types.range_state64_type)
 COUNTS = (types.range_iter32_type, types.range_iter64_type)
 NUMBERS = (types.Float, types.Integer, types.Boolean)
 
 
 class Lean(CPUContext):
-    """numba's way to write code, but for what this module writes.
+    """numba's code generator, except for the code that this module generates.
 
-    direct: whether the function that is written is called directly.
+    direct: whether the present function is called directly.
     """
 
     direct = False
 
     @property
     def call_conv(self) -> Any:
-        """How functions of numba's own are called."""
+        """The calling convention of numba's own functions."""
         return Outward(self) if self.direct else CONVENTION(self)
 
     def get_function(self, function: Any, signature: Any, _firstcall: bool = True) -> Any:
-        """What writes the code of a call."""
+        """The generator of the code of a call."""
         ours = written(function, signature)
         if ours is None:
             return NUMBA.get_function(self, function, signature, _firstcall)
         return functools.partial(ours, self, signature)
 
     def mangler(self, name: Any, types: Any, *, abi_tags: Any = (), uid: Any = None) -> str:
-        """What a function is called in code; numba spells out all types at every call."""
+        """The name of a function in LLVM, as a digest; numba's names spell out all types."""
         told = ", ".join(map(str, (name, *types, *abi_tags, uid)))
         short = f"f{hashlib.sha256(told.encode()).hexdigest()[:24]}"
         return f"_ZN{len(short)}{short}E"
 
     @property
     def nrt(self) -> Any:
-        """What writes the code that counts references."""
+        """The generator of the code that counts references."""
         return Counting(self, self.enable_nrt)
 
     def get_constant_generic(self, builder: Any, ty: Any, val: Any) -> Any:
-        """A constant; a function of ours is none, since calls know it by its type."""
+        """A constant; a function of a kernel needs none, since its type identifies it in calls."""
         if isinstance(ty, types.Dispatcher):
             return NUMBA.get_dummy_value(self)
         return NUMBA.get_constant_generic(self, builder, ty, val)
@@ -71,29 +71,29 @@ class Lean(CPUContext):
     def create_cpython_wrapper(
         self, library: Any, fndesc: Any, env: Any, call_helper: Any, release_gil: bool = False
     ) -> None:
-        """Add what Python calls to a library."""
+        """Add the entry for calls from Python to a library."""
         if is_plain(fndesc):
             add_entry(self, library, fndesc)
         else:
             NUMBA.create_cpython_wrapper(self, library, fndesc, env, call_helper, release_gil)
 
     def get_abi_sizeof(self, ty: Any) -> int:
-        """Bytes of a type of LLVM's, which is asked for them once."""
+        """The size of an LLVM type in bytes, which is asked for once."""
         return sizeof(str(ty), lambda: NUMBA.get_abi_sizeof(self, ty))
 
 
-SIZES: dict[str, int] = {}  # in bytes, of LLVM's types
+SIZES: dict[str, int] = {}  # of LLVM types in bytes, by name
 
 
 def sizeof(name: str, look: Callable[[], int]) -> int:
-    """Bytes of a type of this name; look: finds them."""
+    """The size in bytes of the type of this name; look: finds it at first."""
     if name not in SIZES:
         SIZES[name] = look()
     return SIZES[name]
 
 
 def written(function: Any, signature: Any) -> Any:
-    """What of this module writes the code of a call; None if nothing does."""
+    """The function of this module that generates the code of a call, or None."""
     args = signature.args
     if function == "getiter" and args[0] in RANGES:
         return begun
@@ -107,7 +107,7 @@ def written(function: Any, signature: Any) -> Any:
 
 
 def names_element(array: Any, index: Any) -> bool:
-    """Whether an index names one number of an array."""
+    """Whether an index selects a single number of an array."""
     if not (isinstance(array, types.Array) and array.layout in "CA" and array.aligned):
         return False
     kinds = index.types if isinstance(index, TUPLE) else (index,)
@@ -119,7 +119,7 @@ def names_element(array: Any, index: Any) -> bool:
 
 
 def place_of(context: Any, builder: Any, kinds: Any, array: Any, index: Any) -> Any:
-    """The code for where an element is; negative indices count from the end."""
+    """The code for the address of an element; negative indices count from the end."""
     many = kinds[1].types if isinstance(kinds[1], TUPLE) else (kinds[1],)
     given = CODE.unpack_tuple(builder, index) if isinstance(kinds[1], TUPLE) else [index]
     at: Any = None
@@ -141,13 +141,13 @@ def place_of(context: Any, builder: Any, kinds: Any, array: Any, index: Any) -> 
 
 
 def element(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
-    """array[index]."""
+    """The code for array[index]."""
     place = place_of(context, builder, signature.args, *args)
     return context.unpack_value(builder, signature.args[0].dtype, place)
 
 
 def set_element(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> None:
-    """array[index] = value."""
+    """The code for array[index] = value."""
     kind = signature.args[0].dtype
     value = context.cast(builder, args[2], signature.args[2], kind)
     place = place_of(context, builder, signature.args, *args[:2])
@@ -155,12 +155,12 @@ def set_element(context: Any, signature: Any, builder: Any, args: Any, loc: Any 
 
 
 def length(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
-    """len(array)."""
+    """The code for len(array)."""
     return builder.extract_value(args[0], [SHAPE, 0])
 
 
 def counted(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
-    """range(last) or range(first, last)."""
+    """The code for range(last) or range(first, last)."""
     word = args[0].type
     first = word(0) if len(args) == 1 else args[0]
     kind = context.get_value_type(signature.return_type)
@@ -168,7 +168,7 @@ def counted(context: Any, signature: Any, builder: Any, args: Any, loc: Any = No
 
 
 def begun(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
-    """What counts along a range, from one step before its first number."""
+    """The code for the iterator of a range; its counter starts a step before the first number."""
     last = args[0]
     if not (isinstance(last, ir.instructions.InsertValue) and steps_by_one(last)):
         made = NUMBA.get_function(context, "getiter", signature)(builder, args)
@@ -187,16 +187,16 @@ def begun(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None
 
 
 def steps_by_one(made: Any) -> bool:
-    """Whether the last word that was put into a range is one."""
+    """Whether the last word that was inserted into a range, its step, is one."""
     step = made.operands[1]
     return list(made.indices) == [2] and isinstance(step, ir.Constant) and step.constant == 1
 
 
 def next_one(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
-    """The next number of a range, and whether there was one.
+    """The code for the next number of a range, and for whether there is one.
 
-    The number is that which is kept: LLVM then sees that it is not negative where the first is not,
-    and that the elements it names follow each other.
+    The stored counter is the number itself: LLVM can then prove that it is not negative if the
+    first is not, and that the elements which it indexes are contiguous.
     """
     now, step, left = (builder.extract_value(args[0], place) for place in (0, 2, 3))
     count, value = builder.load(left), builder.add(builder.load(now), step, flags=["nsw"])

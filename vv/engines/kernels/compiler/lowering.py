@@ -1,4 +1,4 @@
-"""numba's lowering, which types arithmetic and elements of arrays once, not at every mention."""
+"""numba's lowering, which resolves the types of arithmetic and array elements only once."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ CODE: Any = cgutils
 
 
 class Lower(BASE):  # type: ignore[misc]
-    """Writes the code of a function."""
+    """Generates the code of a function."""
 
-    known: dict[Any, Any] = {}  # signatures of arithmetic, which are the same for ever  # noqa: RUF012
+    known: dict[Any, Any] = {}  # signatures of arithmetic, which never change  # noqa: RUF012
 
     @property
     def call_conv(self) -> Any:
-        """How the function that is written is called."""
+        """The calling convention of the present function."""
         return Direct(self.context) if self.context.direct else self.context.call_conv
 
     def setup_function(self, fndesc: Any) -> None:
-        """Begin the code of a function."""
+        """Start the code of a function."""
         if self.context.direct:
             self.function = declared(self.context, self.module, fndesc)
             self.entry_block = self.function.append_basic_block("entry")
@@ -42,19 +42,19 @@ class Lower(BASE):  # type: ignore[misc]
             self.builder.__class__ = Folding
 
     def lower_block(self, block: Any) -> None:
-        """All statements of a block."""
+        """Generate the code of all statements of a block."""
         self.pre_block(block)
         try:
             for statement in block.body:
                 self.loc = statement.loc
                 self.lower_inst(statement)
         except NumbaError as error:
-            error.add_context(f"writing {statement} at {self.loc}")
+            error.add_context(f"generating the code of {statement} at {self.loc}")
             raise
         self.post_block(block)
 
     def lower_inst(self, inst: Any) -> None:
-        """One statement."""
+        """Generate the code of one statement."""
         if isinstance(inst, numba_ir.Assign):
             name, value = inst.target.name, inst.value
             argument = value.index + 1 if isinstance(value, numba_ir.Arg) else None
@@ -67,9 +67,9 @@ class Lower(BASE):  # type: ignore[misc]
             super().lower_inst(inst)
 
     def _find_singly_assigned_variable(self) -> None:
-        """Find what needs no room in memory: what is set once and counts no references.
+        """Find the variables that need no memory: those set once that hold no counted references.
 
-        What counts some needs none either if it is freed where it is set.
+        A variable with references needs none either, if it is freed in the block that sets it.
         """
         self._blk_local_varmap: dict[str, Any] = {}
         self._singly_assigned_vars = {
@@ -79,14 +79,14 @@ class Lower(BASE):  # type: ignore[misc]
         }
 
     def loadvar(self, name: str) -> Any:
-        """The value of a variable."""
+        """The code for the value of a variable."""
         if name in self._blk_local_varmap:
             return self._blk_local_varmap[name]
-        self._singly_assigned_vars.discard(name)  # its code is written before what sets it
+        self._singly_assigned_vars.discard(name)  # its use is generated before its assignment
         return super().loadvar(name)
 
     def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
-        """One operation on two values."""
+        """The code of an operation on two values."""
         wanted = self.fndesc.calltypes[expr]
         if op not in ARITHMETIC or not all(isinstance(kind, SCALARS) for kind in wanted.args):
             return super().lower_binop(resty, expr, op)
@@ -102,7 +102,7 @@ class Lower(BASE):  # type: ignore[misc]
         return self.context.cast(self.builder, made, wanted.return_type, resty)
 
     def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
-        """An element, or a view."""
+        """The code that reads an element, or a view."""
         if not names_element(*signature.args):
             return super().lower_getitem(resty, expr, value, index, signature)
         values = [self._cast_var(v, k) for v, k in zip((value, index), signature.args, strict=True)]
@@ -110,7 +110,7 @@ class Lower(BASE):  # type: ignore[misc]
         return self.context.cast(self.builder, made, signature.return_type, resty)
 
     def lower_setitem(self, target_var: Any, index_var: Any, value_var: Any, signature: Any) -> Any:
-        """Set an element, or several."""
+        """The code that sets an element, or several."""
         if not (names_element(*signature.args[:2]) and isinstance(signature.args[2], SCALARS)):
             return super().lower_setitem(target_var, index_var, value_var, signature)
         given = zip((target_var, index_var, value_var), signature.args, strict=True)
@@ -118,7 +118,7 @@ class Lower(BASE):  # type: ignore[misc]
         return set_element(self.context, signature, self.builder, values)
 
     def storevar(self, value: Any, name: str, argidx: Any = None) -> None:
-        """Set a variable; what it was needs to be freed only where references are counted."""
+        """Set a variable; its old value has to be freed only if it holds counted references."""
         if name in self._singly_assigned_vars or self.is_counted(name):
             super().storevar(value, name, argidx)
         else:
@@ -126,26 +126,26 @@ class Lower(BASE):  # type: ignore[misc]
             self.builder.store(value, self.getvar(name))
 
     def delvar(self, name: str) -> None:
-        """Forget a variable."""
+        """End the life of a variable."""
         if self.is_counted(name):
             super().delvar(name)
 
     def is_counted(self, name: str) -> bool:
-        """Whether references to what a variable holds are counted."""
+        """Whether a variable holds counted references."""
         context = self.context
         kind = self.fndesc.typemap[name]
         return context.enable_nrt and holds_references(context.data_model_manager, kind)
 
     def alloca_lltype(self, name: str, lltype: Any, datamodel: Any = None) -> Any:
-        """Room for a variable; nothing is noted for a debugger."""
+        """Memory for a variable, without information for a debugger."""
         if self.is_counted(name):
-            return CODE.alloca_once(self.builder, lltype, name=name)  # begins as nil, to be freed
+            return CODE.alloca_once(self.builder, lltype, name=name)  # zero: can be freed
         with self.builder.goto_entry_block():
             return self.builder.alloca(lltype, name=name)
 
 
 def lives(blocks: Any) -> list[tuple[str, list[Any], set[Any]]]:
-    """Variables, the block of each of their assignments, and the blocks in which they end."""
+    """Each variable, the blocks of its assignments, and the blocks in which its life ends."""
     places: dict[str, list[Any]] = defaultdict(list)
     ends: dict[str, set[Any]] = defaultdict(set)
     for label, block in blocks.items():
@@ -164,17 +164,17 @@ NATIVE: Any = typed_passes.BaseNativeLowering
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
 class Write(NATIVE):  # type: ignore[misc]
-    """Write the code of a function."""
+    """The pass that generates the code of a function."""
 
     _name = "write"
 
     @property
     def lowering_class(self) -> Any:
-        """What writes it."""
+        """The class that generates the code."""
         return Lower
 
     def run_pass(self, state: Any) -> bool:
-        """Write it to be called directly, if it is a part and cannot raise."""
+        """Generate a function for direct calls, if it is a part and cannot raise."""
         state.targetctx.direct = state.flags.no_compile
         try:
             return bool(super().run_pass(state))

@@ -1,7 +1,8 @@
-"""Runs numba's passes, less what it notes, times and checks around each of them and each statement.
+"""Runs numba's passes without its timers, events and checks around each pass and statement.
 
-A sixth of the time of compiling went into events that nobody hears, traps for warnings that nobody
-raises, and texts of statements in case an error occurs. Where one does, its place is added then.
+A sixth of the time of compiling went into events without listeners, contexts for warnings that do
+not occur, and texts of statements for possible errors. The place of an error is added when it
+occurs.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ PLAIN = frozenset({ir.Loc, str, int, bool, float, type(None)})
 
 
 class Passes(MANAGER):  # type: ignore[misc]
-    """All passes of a function, one after the other."""
+    """Runs all passes of a function in order."""
 
     def _runPass(self, index: int, one: Any, state: Any) -> None:  # noqa: N802 - numba's name
         one.analysis = self._analysis
@@ -37,38 +38,38 @@ class Passes(MANAGER):  # type: ignore[misc]
 
 
 class Nobody(list[Any]):
-    """Who hears of numba's events while a whole is compiled, of which there are 100 000."""
+    """A list of listeners that stays empty while a kernel is compiled, with some 100 000 events."""
 
     def append(self, listener: object) -> None:
-        """Do not listen: each part has two clocks, which are told of all that those within do."""
+        """Ignore the listener: each function has two timers that hear all events of its callees."""
 
     def remove(self, listener: object) -> None:
-        """Stop listening."""
+        """Do nothing, since no listener was added."""
 
 
 class Silent:
-    """A context in which nothing is added to errors."""
+    """A context that adds nothing to errors."""
 
     def __enter__(self) -> None:
-        """Note nothing."""
+        """Do nothing."""
 
     def __exit__(self, *_: object) -> None:
-        """Let what was raised pass."""
+        """Let exceptions pass."""
 
 
 SILENT = Silent()
 
 
 def in_silence(*_: object, **__: object) -> Silent:
-    """What numba asks for at each call that it types: words for an error."""
+    """The replacement for the context that numba makes at each call to explain an error."""
     return SILENT
 
 
 class Constraints(NETWORK):  # type: ignore[misc]
-    """What the types of variables must fulfil, without a trap for warnings around each."""
+    """The constraints on the types of variables, without a context for warnings around each."""
 
     def propagate(self, typeinfer: Any) -> list[Any]:
-        """Look at each once; returns the errors, for some of which it is only too early."""
+        """Apply each constraint once; returns the errors, some of which a later call resolves."""
         found: list[Any] = []
         for constraint in self.constraints:
             try:
@@ -83,14 +84,14 @@ class Constraints(NETWORK):  # type: ignore[misc]
 
 
 def variables(statement: Any, value: Any) -> list[Any]:
-    """All variables in a value that numba's code of a function is made of."""
+    """All variables in a value of numba's intermediate representation."""
     found: list[Any] = []
     gather(value, found)
     return found
 
 
 def gather(value: Any, found: list[Any]) -> None:
-    """Add the variables in a value to those found; most values are places and names, with none."""
+    """Append the variables in a value to `found`; most values are locations and names."""
     kind = type(value)
     if kind is VARIABLE:
         found.append(value)
@@ -107,7 +108,7 @@ def gather(value: Any, found: list[Any]) -> None:
 
 @contextlib.contextmanager
 def quietly() -> Iterator[None]:
-    """Compile without listeners to events, and types without words for each call."""
+    """A context in which numba compiles without event listeners and without texts for errors."""
     heard, explained = EVENTS._registered, TYPING.new_error_context
     EVENTS._registered = defaultdict(Nobody)
     TYPING.new_error_context, TYPING.ConstraintNetwork = in_silence, Constraints

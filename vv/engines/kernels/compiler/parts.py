@@ -1,8 +1,8 @@
-"""Compiles functions that kernels call to no machine code of their own, but within kernels alone.
+"""Compiles functions that kernels call within the kernels only, without machine code of their own.
 
-numba optimises each function, with all that it calls, and makes machine code of it, and does so
-again for those that call it; most of that work is for code that nobody runs. A `Part` is
-only linked; a `Whole`, which can be called from Python, links each of its parts once.
+numba optimises each function together with all its callees and generates machine code, and repeats
+this for each caller, although most of that code never runs. A `Part` is only linked into others; a
+`Whole`, which can be called from Python, links each of its parts once.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ENVIRONMENT = "_ZN08NumbaEnv"  # how numba begins the names of what functions re
 
 
 class Part(codegen.JITCodeLibrary):
-    """A function to be linked, and what it calls."""
+    """A library with a function to be linked, and its callees."""
 
     def _optimize_functions(self, ll_module: Any) -> None:
         ll_module.data_layout = self._codegen._data_layout
@@ -35,14 +35,14 @@ class Part(codegen.JITCodeLibrary):
                 passes.run(function, builder)
 
     def finalize(self) -> None:
-        """Let kernels link it more than once."""
+        """Allow kernels to link it more than once."""
         for function in self._final_module.functions:
             if not function.is_declaration and function.linkage.name == "external":
                 function.linkage = "linkonce_odr"
         self._finalized = True
 
     def _get_module_for_linking(self) -> Any:
-        """With all that it calls, for what is no `Whole`."""
+        """The module with all callees, for a caller that is no `Whole`."""
         self._ensure_finalized()
         if self._shared_module is None:
             self._shared_module = self._final_module.clone()
@@ -52,14 +52,14 @@ class Part(codegen.JITCodeLibrary):
 
 
 class Whole(codegen.JITCodeLibrary):
-    """A function that becomes machine code, together with all its parts."""
+    """A library with a function that becomes machine code, together with all its parts."""
 
     def _optimize_functions(self, ll_module: Any) -> None:
         """Leave it to the passes over the whole, which numba has here once more."""
         ll_module.data_layout = self._codegen._data_layout
 
     def finalize(self) -> None:
-        """Link each part once, then do what numba does."""
+        """Link each part once, then proceed as numba does."""
         for library in linked(self._linking_libraries):
             self._reload_init.update(library._reload_init)
             self._final_module.link_in(module_of(library), preserve=True)
@@ -68,7 +68,7 @@ class Whole(codegen.JITCodeLibrary):
 
 
 class Branching(Whole):
-    """A whole whose loops are short: none is unrolled."""
+    """A whole with short loops, which are not unrolled."""
 
     def _optimize_final_module(self) -> None:
         ours = self._codegen
@@ -83,7 +83,7 @@ class Branching(Whole):
 
 
 def linked(libraries: list[Any]) -> list[Any]:
-    """Libraries, and those that parts among them call, each once and after all that call it.
+    """Libraries and the callees of parts among them, each once and after all its callers.
 
     A function that nobody needs as it is linked is left out, for good.
     """
@@ -103,7 +103,7 @@ def linked(libraries: list[Any]) -> list[Any]:
 
 
 def module_of(library: Any) -> Any:
-    """The code of a part alone, or of any other library with all that it calls."""
+    """The module of a part alone, or of any other library with all its callees."""
     if not isinstance(library, Part):
         return library._get_module_for_linking()
     library._ensure_finalized()
@@ -111,7 +111,7 @@ def module_of(library: Any) -> Any:
 
 
 def pipeline(name: str, last: type) -> Any:
-    """All passes, with one of ours once there is code."""
+    """All passes of a compilation; `last` is the pass after the generation of code."""
     manager = front_end(name)
     manager.add_pass(Write, Write.__name__)
     manager.add_pass(last, last.__name__)
@@ -122,7 +122,7 @@ def pipeline(name: str, last: type) -> Any:
 
 @register_pass(mutates_CFG=True, analysis_only=False)
 class HandOver(LoweringPass):
-    """Make a part known to those that call it."""
+    """The pass that makes a part known to its callers."""
 
     _name = "hand_over"
 
@@ -130,7 +130,7 @@ class HandOver(LoweringPass):
         LoweringPass.__init__(self)
 
     def run_pass(self, state: Any) -> bool:
-        # numba knows a function by a builtin, which runs its machine code; any of its own will do
+        # numba identifies a function by the builtin that runs it; any unique builtin will do
         lowered, key = state["cr"], [state.library].append
         write = direct_call if state.targetctx.direct else call_that_raises
         call = write(lowered.fndesc, state.library)
@@ -141,7 +141,7 @@ class HandOver(LoweringPass):
 
 @register_pass(mutates_CFG=True, analysis_only=False)
 class Refer(LoweringPass):
-    """Set what the parts of a whole refer to at run time."""
+    """The pass that sets the objects to which the parts of a whole refer at run time."""
 
     _name = "refer"
 
@@ -158,20 +158,20 @@ class Refer(LoweringPass):
 
 
 class Settling(compiler.CompilerBase):
-    """numba's compiler, with flags that are quick to compare."""
+    """numba's compiler with flags that are compared quickly."""
 
     def __init__(
         self, typing: Any, target: Any, library: Any, args: Any, kind: Any, flags: Any, local: Any
     ) -> None:
         super().__init__(typing, target, library, args, kind, Settled(flags), local)
-        self.state.targetctx.__class__ = Lean  # a copy for these flags, which nobody else has
+        self.state.targetctx.__class__ = Lean  # a copy for these flags, which is used nowhere else
 
 
 class PartCompiler(Settling):
     """Compiles a part."""
 
     def define_pipelines(self) -> list[Any]:
-        """As numba wants them."""
+        """The pipelines of passes; the name is numba's."""
         state = self.state
         state.library = Part(state.targetctx.codegen(), state.func_id.func_qualname)
         state.flags.no_compile = True
@@ -184,14 +184,14 @@ class WholeCompiler(Settling):
     library: type[Whole] = Whole
 
     def define_pipelines(self) -> list[Any]:
-        """As numba wants them."""
+        """The pipelines of passes; the name is numba's."""
         state = self.state
         state.library = self.library(state.targetctx.codegen(), state.func_id.func_qualname)
         state.library.enable_object_caching()
         return [pipeline("whole", Refer)]
 
     def _compile_core(self) -> Any:
-        """Compile without looking for garbage, of which there is little among very much else."""
+        """Compile without garbage collection, which would find little among very many objects."""
         collects = gc.isenabled()
         gc.disable()
         try:
@@ -203,6 +203,6 @@ class WholeCompiler(Settling):
 
 
 class BranchingCompiler(WholeCompiler):
-    """Compiles a whole whose loops are short."""
+    """Compiles a whole with short loops."""
 
     library = Branching

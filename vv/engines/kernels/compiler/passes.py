@@ -1,7 +1,7 @@
-"""The passes by which numba compiles functions of kernels: its own, less those that find nothing.
+"""The passes by which numba compiles functions of kernels: its own, except those not needed here.
 
-Functions of kernels hold no closures, comprehensions of arrays, `with`, raises of values found at
-run time, nor loops over tuples of several types.
+Functions of kernels contain no closures, array comprehensions, `with` statements, exceptions with
+values known only at run time, or loops over tuples of several types.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ REWRITES: Any = registry.rewrite_registry.rewrites["before-inference"]
 
 
 class Settled(compiler.Flags):
-    """Flags that numba compares hundreds of times a function: what they are is worked out once."""
+    """Compiler flags whose values are computed once: numba compares them hundreds of times."""
 
     def __init__(self, copy_from: Any = None) -> None:
         super().__init__(copy_from)  # type: ignore[no-untyped-call]
         self._seen: Any = None
 
     def values(self) -> Any:
-        """All options and their values."""
+        """All flags and their values."""
         now = tuple(self._values.items())
         if self._seen is None or self._seen[0] != now:
             self._seen = now, super().values()  # type: ignore[no-untyped-call]
@@ -62,7 +62,7 @@ class Settled(compiler.Flags):
 
 
 class Remembering:
-    """numba's typing context, which remembers the types of calls and of elements of arrays."""
+    """numba's typing context with a cache for the types of calls and of array elements."""
 
     def __init__(self, context: Any, known: dict[Any, Any]) -> None:
         self._context, self._known = context, known
@@ -74,7 +74,7 @@ class Remembering:
         """The signature of a call."""
         if keywords or not plain(function, args):
             return self._context.resolve_function_type(function, args, keywords)
-        if isinstance(function, types.Dispatcher):  # whose callers need no copy for each constant
+        if isinstance(function, types.Dispatcher):  # one copy for all constants
             args = tuple(map(types.unliteral, args))
         key = (function, *args)
         if key not in self._known:
@@ -97,7 +97,7 @@ class Remembering:
 
 
 def plain(function: Any, args: Any) -> bool:
-    """Whether a call is of a part, arithmetic of numbers, or reads an element of an array."""
+    """Whether a call is one of a part, arithmetic of numbers, or reads an array element."""
     if isinstance(function, types.Dispatcher):
         return True
     if not isinstance(function, types.Function):
@@ -111,17 +111,17 @@ KNOWN: dict[Any, Any] = {}
 
 
 class Reader(READER):  # type: ignore[misc]
-    """Reads what Python compiled of a function, in which there is no `with` and no dict."""
+    """Reads the bytecode of a function that contains no `with` statement and no dict."""
 
     def post_process(self, peepholes: Any, func_ir: Any) -> Any:
-        """Join what Python took apart."""
+        """Apply the peephole rewrites that are needed here."""
         wanted = [one for one in peepholes if one.__name__ not in NEEDLESS]
         return super().post_process(wanted, func_ir)
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
 class Read(FunctionPass):
-    """Read a function."""
+    """The pass that reads the bytecode of a function."""
 
     _name = "read"
 
@@ -139,7 +139,7 @@ class Read(FunctionPass):
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
 class Constants(FunctionPass):
-    """Tell what is indexed, raised and computed with constants (numba's GenericRewrites)."""
+    """The pass that finds constants in indices and arithmetic (numba's GenericRewrites)."""
 
     _name = "constants"
 
@@ -158,7 +158,7 @@ class Constants(FunctionPass):
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
 class Types(FunctionPass):
-    """Find the types of all variables; see that what counts no references is handed none."""
+    """The pass that infers types; a function that counts no references may receive none."""
 
     _name = "types"
 
@@ -179,7 +179,7 @@ class Types(FunctionPass):
 
 
 def refuse_gifts(state: Any) -> None:
-    """Raise NumbaTypeError if a function that counts no references is returned one by another."""
+    """Raise NumbaTypeError if a function that counts no references is returned an array."""
     for call, signature in state.calltypes.items():
         gift = getattr(signature, "return_type", None)
         if getattr(call, "op", None) != "call" or gift is None:
@@ -188,14 +188,14 @@ def refuse_gifts(state: Any) -> None:
         model = state.targetctx.data_model_manager[gift]
         if isinstance(called, types.Dispatcher) and model.contains_nrt_meminfo():
             raise NumbaTypeError(
-                f"{state.func_id.func_qualname} is lent arrays, but is given one by {called}: "
-                "nobody would free it"
+                f"{state.func_id.func_qualname} only borrows arrays, but {called} returns one: "
+                "nothing would free it"
             )
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
 class Single(FunctionPass):
-    """Give each variable one assignment (numba's ReconstructSSA, less what later passes redo)."""
+    """The pass that gives each variable one assignment (numba's ReconstructSSA, shortened)."""
 
     _name = "single"
 
@@ -210,7 +210,7 @@ class Single(FunctionPass):
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
 class Joined(typed_passes.PreLowerStripPhis):
-    """Join these variables again where ways meet, as numba does it, less what is redone."""
+    """The pass that merges these variables again where branches join (numba's, shortened)."""
 
     _name = "joined"
 
@@ -221,7 +221,7 @@ class Joined(typed_passes.PreLowerStripPhis):
 
 
 def front_end(name: str) -> Any:
-    """All passes before code is written."""
+    """The passes before the generation of code."""
     manager = Passes(name)
     for made in (
         Read,

@@ -72,7 +72,7 @@ PAIRS = np.dtype(
 )
 """Velocities of the bodies of a batch, and the changes of impulses in a sweep: see `changed`."""
 
-batch_room, layer_room, pairs_room = map(rooms.of_nil_records, (BATCH, LAYER, PAIRS))
+batch_room, layer_room, pairs_room = map(rooms.of_zero_records, (BATCH, LAYER, PAIRS))
 
 
 @called
