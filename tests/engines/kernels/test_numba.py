@@ -32,7 +32,7 @@ from numba.core.rewrites import registry
 from numba.core.runtime import nrt
 from numba.core.runtime.context import NRTContext
 
-from vv.engines.kernels.arrays import nil_numbers
+from vv.engines.kernels.arrays import zero_numbers
 from vv.engines.kernels.bundle_types import DATA
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, lent
@@ -108,7 +108,7 @@ def last_of_many(held: Held, rounds: int) -> float:
 @lent
 def given(n: int) -> float:
     """What is lent arrays must not be given one."""
-    return float(nil_numbers(n)[0])
+    return float(zero_numbers(n)[0])
 
 
 @compiled
@@ -140,10 +140,10 @@ def told(number: int) -> int:
 @called
 def halves(n: int) -> tuple[Vector, Vector]:
     """Two arrays, one of which is set on one way only."""
-    low = nil_numbers(n)
+    low = zero_numbers(n)
     high = low
     if n > 2:
-        high = nil_numbers(2 * n)
+        high = zero_numbers(2 * n)
     return low, high
 
 

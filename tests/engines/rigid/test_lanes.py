@@ -10,7 +10,7 @@ import pytest
 
 from tests.engines.rigid.test_momentum import pile
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import nil_rows
+from vv.engines.kernels.arrays import zero_rows
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
 from vv.engines.rigid.solver.cone import Friction, sweep
@@ -25,7 +25,7 @@ SWEEPS = 5
 def _side_by_side(
     joints: Joints, bodies: Bodies, friction: Friction, v: Vector
 ) -> tuple[Index, Vector]:
-    p, w = nil_rows(len(joints.first)), nil_rows(len(v))
+    p, w = zero_rows(len(joints.first)), zero_rows(len(v))
     batches, layers, place = packed(p, joints, bodies, friction)
     pairs, velocities = pairs_room(1), joined(v, w)
     for _ in range(SWEEPS):
@@ -36,7 +36,7 @@ def _side_by_side(
 
 
 def _one_by_one(joints: Joints, bodies: Bodies, friction: Friction, v: Vector) -> Vector:
-    p, w = nil_rows(len(joints.first)), nil_rows(len(v))
+    p, w = zero_rows(len(joints.first)), zero_rows(len(v))
     for _ in range(SWEEPS):
         sweep(p, joints, bodies, friction, v, w)
     return p

@@ -8,7 +8,7 @@ import numba
 import numpy as np
 import pytest
 
-from vv.engines.kernels.arrays import nil_rows
+from vv.engines.kernels.arrays import zero_rows
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.cone import Friction, residual, sweep
 from vv.engines.rigid.solver.drift import leap_sweeps
@@ -55,7 +55,7 @@ def _solved(
     carries: bool,
     leaps: bool = False,
 ) -> tuple[int, float, Vector]:
-    p, w, sweeps = nil_rows(len(joints.first)), nil_rows(len(v)), 0
+    p, w, sweeps = zero_rows(len(joints.first)), zero_rows(len(v)), 0
     left = residual(p, joints, friction, v, w)
     if leaps:
         sweeps, left = leap_sweeps(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)

@@ -10,7 +10,7 @@ import pytest
 
 from tests.engines.rigid.test_momentum import MOST, TOLERANCE, pile
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import nil_rows
+from vv.engines.kernels.arrays import zero_rows
 from vv.engines.rigid.general.converge import polish
 from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
@@ -25,7 +25,7 @@ def _solved(
     joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector, newton: bool
 ) -> tuple[int, float]:
     """Sweeps, with Newton steps after every sixty if they are asked for; and what is left."""
-    p, blocks = nil_rows(len(joints.first)), len(v) - 1
+    p, blocks = zero_rows(len(joints.first)), len(v) - 1
     place, _ = band_ordering(joints, bodies, blocks)
     sweeps, left = 0, residual(p, joints, friction, v, w)
     while left > TOLERANCE and sweeps < MOST:

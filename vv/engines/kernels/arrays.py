@@ -50,7 +50,7 @@ def squares(n: int) -> Vector:
 
 
 @called
-def nil_numbers(n: int) -> Vector:
+def zero_numbers(n: int) -> Vector:
     """n zeros."""
     made = numbers(n)
     for i in range(n):
@@ -59,7 +59,7 @@ def nil_numbers(n: int) -> Vector:
 
 
 @called
-def nil_counts(n: int) -> Index:
+def zero_counts(n: int) -> Index:
     """n integer zeros."""
     made = counts(n)
     for i in range(n):
@@ -68,7 +68,7 @@ def nil_counts(n: int) -> Index:
 
 
 @called
-def nil_table(n: int, m: int) -> Vector:
+def zero_table(n: int, m: int) -> Vector:
     """Zeros (n, m)."""
     made = table(n, m)
     clear(made)
@@ -76,7 +76,7 @@ def nil_table(n: int, m: int) -> Vector:
 
 
 @called
-def nil_rows(n: int) -> Vector:
+def zero_rows(n: int) -> Vector:
     """n vectors (n, 3) of zeros."""
     made = rows(n)
     clear(made)
@@ -84,7 +84,7 @@ def nil_rows(n: int) -> Vector:
 
 
 @called
-def nil_squares(n: int) -> Vector:
+def zero_squares(n: int) -> Vector:
     """n matrices (n, 3, 3) of zeros."""
     made = squares(n)
     for i in range(n):

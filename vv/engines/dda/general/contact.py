@@ -12,7 +12,7 @@ from vv.engines.dda.general.bodies import Bodies, Motion
 from vv.engines.dda.general.matrices import mapped
 from vv.engines.dda.law import STICK
 from vv.engines.kernels import rooms
-from vv.engines.kernels.arrays import counts, nil_counts, nil_numbers, nil_rows
+from vv.engines.kernels.arrays import counts, zero_counts, zero_numbers, zero_rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
@@ -52,11 +52,11 @@ class Touch(NamedTuple):
 def touch_room(count: int) -> Touch:
     """Arrays for so many contact points, all open."""
     return Touch(
-        nil_counts(count), nil_counts(count), nil_rows(count),
-        nil_numbers(count), nil_rows(count), nil_numbers(count), nil_rows(count),
-        nil_counts(count), rooms.count_table(count, MOST),
-        rooms.row_table(count, MOST), nil_counts(count),
-        counts(count), counts(count), nil_rows(count),
+        zero_counts(count), zero_counts(count), zero_rows(count),
+        zero_numbers(count), zero_rows(count), zero_numbers(count), zero_rows(count),
+        zero_counts(count), rooms.count_table(count, MOST),
+        rooms.row_table(count, MOST), zero_counts(count),
+        counts(count), counts(count), zero_rows(count),
     )  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import factorise, substitute
 from vv.engines.dda.general.newton import newton
 from vv.engines.dda.law import OPEN, SLIDE, respond
-from vv.engines.kernels.arrays import counts, larger, nil_numbers, nil_rows, numbers, table
+from vv.engines.kernels.arrays import counts, larger, numbers, table, zero_numbers, zero_rows
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Vector
@@ -20,13 +20,13 @@ from vv.scene import Vector
 @called
 def lightness(touch: Touch, state: Index, bodies: Bodies, step: float, weight: float) -> Vector:
     """The stiffness [N/m] by which inertia resists slip at contacts (c,): weight m/D^2 each."""
-    closed = nil_numbers(len(bodies.mass))
+    closed = zero_numbers(len(bodies.mass))
     for k in range(len(touch.key)):
         if state[k] != OPEN:
             closed[touch.second[k]] += 1.0
             if touch.wall[k] < 0:
                 closed[touch.first[k]] += 1.0
-    ease = nil_numbers(len(touch.key))
+    ease = zero_numbers(len(touch.key))
     for k in range(len(touch.key)):
         two = touch.second[k]
         compliance = larger(closed[two], 1.0) / bodies.mass[two]
@@ -57,8 +57,8 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
     q, count = len(d), len(touch.key)
     first, matrix = counts(q), table(q, q)
     right, constant = numbers(q), numbers(q)
-    used, rub = counts(count), nil_rows(count)
-    relative, shut = nil_rows(count), nil_rows(count)
+    used, rub = counts(count), zero_rows(count)
+    relative, shut = zero_rows(count), zero_rows(count)
     profile(first, bodies, touch)
     applied(constant, mass, bodies, begun)
     applied(right, elastic, bodies, motion.strain)

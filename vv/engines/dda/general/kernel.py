@@ -50,12 +50,12 @@ from vv.engines.dda.stepping import HALF_LEAP, IMPLICIT
 from vv.engines.kernels.arrays import (
     clear,
     larger,
-    nil_numbers,
-    nil_rows,
-    nil_table,
     same_counts,
     same_numbers,
     same_rows,
+    zero_numbers,
+    zero_rows,
+    zero_table,
 )
 from vv.engines.kernels.compiled import called, compiled_to_branch, lent
 from vv.engines.kernels.drive import Drive, Starts, one_of, travel, value
@@ -139,14 +139,14 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     variables.
     """
     walls, q = len(planes.point), len(begun.velocity)
-    shift, ahead, moved = nil_rows(walls), nil_rows(walls), nil_rows(walls)
-    mass, outer, flow = nil_table(q, 12), nil_numbers(q), nil_numbers(q)
-    d, pull, turn = nil_numbers(q), nil_numbers(q), nil_numbers(q)
-    u, begun_by, rate = nil_numbers(q), nil_numbers(q), nil_numbers(q)
+    shift, ahead, moved = zero_rows(walls), zero_rows(walls), zero_rows(walls)
+    mass, outer, flow = zero_table(q, 12), zero_numbers(q), zero_numbers(q)
+    d, pull, turn = zero_numbers(q), zero_numbers(q), zero_numbers(q)
+    u, begun_by, rate = zero_numbers(q), zero_numbers(q), zero_numbers(q)
     now = FIRST if multipliers == 0 else HALF
     feels = felt if rule[1] == 0.0 else 1.0  # the first step: rate at its end
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
-    ledger, worst, done = nil_numbers(TERMS), nil_numbers(REPORTS), -settling
+    ledger, worst, done = zero_numbers(TERMS), zero_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
     if multipliers > 0:  # no energy in springs: allow for rounding
         spare = fall(bodies, reach)
@@ -156,7 +156,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     masses(mass, bodies, motion)
     held(ledger, touch, bodies, motion, mass, store, stores, elastic)
     origin = same_rows(motion.centre, len(motion.centre))
-    pressed, given = nil_rows(len(origin)), nil_rows(len(origin))
+    pressed, given = zero_rows(len(origin)), zero_rows(len(origin))
 
     for row in range(len(path)):
         for _ in range((stride if row else 0) + (settling if row == 0 else 0)):

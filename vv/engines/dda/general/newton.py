@@ -17,7 +17,7 @@ from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import back, eliminate
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import LEAST
-from vv.engines.kernels.arrays import counts, nil_numbers, nil_rows, numbers, table
+from vv.engines.kernels.arrays import counts, numbers, table, zero_numbers, zero_rows
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
@@ -133,8 +133,8 @@ def newton(
     q, count = len(d), len(touch.key)
     first, matrix = counts(q), table(q, q)
     right, ahead, trial = numbers(q), numbers(q), numbers(q)
-    used, rub, relative = counts(count), nil_rows(count), nil_rows(count)
-    turn = nil_numbers(count)
+    used, rub, relative = counts(count), zero_rows(count), zero_rows(count)
+    turn = zero_numbers(count)
     profile(first, bodies, touch)
     rest = bodies, mass, constant, shut, step, weight, kn, ks, mu, elastic
     left = unbalanced(d, touch, turn, *rest)

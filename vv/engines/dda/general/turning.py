@@ -14,12 +14,12 @@ from vv.engines.dda.general.bodies import Bodies, Motion, applied, gradient, str
 from vv.engines.dda.general.linear import factorise, substitute
 from vv.engines.dda.general.matrices import product, reshaped
 from vv.engines.kernels.arrays import (
-    nil_counts,
-    nil_numbers,
-    nil_table,
     numbers,
     rows,
     same_numbers,
+    zero_counts,
+    zero_numbers,
+    zero_table,
 )
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, dot
@@ -53,8 +53,8 @@ def convected(
     """
     q = len(turn)
     begin, whole, second, flow, end = rows(3), rows(3), rows(3), rows(3), rows(3)
-    matrix, load, gain = nil_table(12, 12), nil_numbers(12), nil_numbers(12)
-    ahead, d = same_numbers(motion.velocity, q), nil_numbers(q)
+    matrix, load, gain = zero_table(12, 12), zero_numbers(12), zero_numbers(12)
+    ahead, d = same_numbers(motion.velocity, q), zero_numbers(q)
     reached, borne = numbers(q), numbers(q)
     for a in range(len(turn)):
         reached[a] = motion.strain[a] + step * motion.velocity[a]
@@ -70,7 +70,7 @@ def convected(
         for a in range(first, last):
             for b in range(a - first + 1):
                 matrix[a - first, b] = mass[a, b] + 0.5 * step * step * elastic[a, b]
-        columns = nil_counts(last - first)
+        columns = zero_counts(last - first)
         factorise(matrix, columns)
         for _ in range(rounds):
             for a in range(first, last):

@@ -28,7 +28,7 @@ from vv.engines.dda.point.books import (
     write,
 )
 from vv.engines.dda.point.iteration import Posed, Solved, iterated, posed
-from vv.engines.kernels.arrays import nil_numbers
+from vv.engines.kernels.arrays import zero_numbers
 from vv.engines.kernels.compiled import compiled, inlined
 from vv.engines.kernels.drive import travel, value
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, dot
@@ -59,7 +59,7 @@ def slide_point(
     if pressed:
         x, contact = at_rest(block, friction, rule.hold)
         motion = Motion(x, NOWHERE, velocity, NOWHERE)
-    spent, worst = nil_numbers(ENERGIES), nil_numbers(PEAK + 1)
+    spent, worst = zero_numbers(ENERGIES), zero_numbers(PEAK + 1)
     origin, put_in, ever, done = motion.x, 0.0, 0.0, -steps.settling
     for row in range(len(path)):
         for _ in range(steps.stride if row else steps.settling):

@@ -11,7 +11,7 @@ from vv.engines.dem.space.neighbours import Near, gathered, no_slots, note_place
 from vv.engines.dem.space.output import booked, moving_energy, moving_energy_after, observe
 from vv.engines.dem.space.room import rest, room
 from vv.engines.dem.space.steps import drift, kick, place, place_spins, spin_on
-from vv.engines.kernels.arrays import larger, nil_counts
+from vv.engines.kernels.arrays import larger, zero_counts
 from vv.engines.kernels.compiled import compiled_to_branch
 from vv.scene import Vector
 
@@ -44,7 +44,7 @@ def move_in_space(
     """
     bodies, motion = room(given)
     m = len(bodies.mass)
-    slots, many, since = no_slots(), nil_counts(1), rest(m)
+    slots, many, since = no_slots(), zero_counts(1), rest(m)
     begin(terms, bodies, motion)
     put_in = ahead = slipped = dragged = moved = done = 0.0
     normal = sprung = 0.0

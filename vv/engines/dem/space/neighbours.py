@@ -13,12 +13,12 @@ from vv.engines.dem.space.bodies import Motion
 from vv.engines.kernels.arrays import (
     counts,
     larger,
-    nil_numbers,
-    nil_rows,
     numbers,
     rows,
     smaller,
     table,
+    zero_numbers,
+    zero_rows,
 )
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined
@@ -202,7 +202,7 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
     pairs = swept(near, u)
     used, room = len(pairs), len(pairs) + len(near[5])
     both, held, radii = couples(room), couples(room), table(room, 2)
-    offset, gap, shear = nil_rows(room), nil_numbers(room), nil_rows(room)
+    offset, gap, shear = zero_rows(room), zero_numbers(room), zero_rows(room)
     met = table(room if near.viscous else 0, MET)
     for k in range(len(met)):
         for c in range(MET):

@@ -8,7 +8,7 @@ it is of second order, of either sign, and neither friction nor impact.
 
 from __future__ import annotations
 
-from vv.engines.kernels.arrays import nil_rows, squares
+from vv.engines.kernels.arrays import squares, zero_rows
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
@@ -67,7 +67,7 @@ def add_works(
     """
     rubbed = account[RUBBED]
     n, b = len(setting.mass), len(trial.v)
-    v_mid, w_mid, gained = nil_rows(b), nil_rows(b), nil_rows(b)
+    v_mid, w_mid, gained = zero_rows(b), zero_rows(b), zero_rows(b)
     wall_rates(setting, now, v_mid)
     for i in range(b):
         had = at(state.v, i) if i < n else at(v_mid, i)

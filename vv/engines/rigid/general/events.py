@@ -7,12 +7,12 @@ import numpy as np
 from vv.engines.blocks.contacts import Contacts, matched
 from vv.engines.kernels.arrays import (
     marked,
-    nil_rows,
     rows,
     same_rows,
     smaller,
     square_of,
     unmarked,
+    zero_rows,
 )
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import add_scaled, at, dot, put
@@ -60,7 +60,7 @@ def time_to_slip_end(
     past.still, and -1 if it ends at once from a finite speed: the contact jams, which needs an
     impact. The end is bracketed; guesses follow from the deceleration of the slowest slip.
     """
-    v, w = nil_rows(len(trial.v)), nil_rows(len(trial.v))
+    v, w = zero_rows(len(trial.v)), zero_rows(len(trial.v))
     rates(setting, state, now, v, w)
     low, high, late, speed, guess = 0.0, whole, trial, slowest_slip(trial, v, w), -1.0
     if speed > least_impact_speed(setting, dt):

@@ -10,12 +10,12 @@ from vv.engines.kernels.arrays import (
     clear,
     larger,
     marked,
-    nil_numbers,
-    nil_rows,
-    nil_squares,
     numbers,
     same_rows,
     smaller,
+    zero_numbers,
+    zero_rows,
+    zero_squares,
 )
 from vv.engines.kernels.compiled import called, compiled_to_branch, lent
 from vv.engines.kernels.drive import mean
@@ -50,7 +50,7 @@ def remove_penetration(
 ) -> float:  # fmt: skip
     """Remove penetration from positions; return the deepest penetration before that [m]."""
     n, b = len(setting.mass), len(trial.v)
-    x, turn = nil_rows(b), nil_rows(b)
+    x, turn = zero_rows(b), zero_rows(b)
     start, end = shift_at(setting, now), shift_at(setting, now + span)
     for i in range(b):
         if i < n:
@@ -150,14 +150,14 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     variables.
     """
     n = len(setting.mass)
-    rotation = nil_squares(n)
+    rotation = zero_squares(n)
     for i in range(n):
         rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
     state = State(same_rows(centre, n), rotation, same_rows(v, n), same_rows(w, n))
-    account, contacts = nil_numbers(7), empty_contacts(64 + 0 * n)
+    account, contacts = zero_numbers(7), empty_contacts(64 + 0 * n)
     past = no_past(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
-    pressed, given, done = nil_rows(reaction.shape[1]), nil_rows(reaction.shape[1]), 0
+    pressed, given, done = zero_rows(reaction.shape[1]), zero_rows(reaction.shape[1]), 0
     for row in range(len(path)):
         for c in range(report.shape[1]):
             report[row, c] = 0.0
@@ -225,7 +225,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 report[row, 3] += 1.0
             done += 1
             if done == 1:
-                fill_reaction(reaction[0], pressed, nil_rows(len(given)))
+                fill_reaction(reaction[0], pressed, zero_rows(len(given)))
         if row > 0:
             fill_reaction(reaction[row], pressed, given)
         fill_path(path[row], watched, state, centre)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import larger, nil_rows, rows
+from vv.engines.kernels.arrays import larger, rows, zero_rows
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
@@ -27,7 +27,7 @@ def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vecto
     """
     count = len(before)
     normal, one, two = rows(count), rows(count), rows(count)
-    turn = nil_rows(count)
+    turn = zero_rows(count)
     for c in range(count):
         n, a, b = at(joints.normal, c), at(joints.arm_first, c), at(joints.arm_second, c)
         row = before[c]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.blocks.geometry import Index, Planes, Shapes
-from vv.engines.kernels.arrays import larger, nil_rows, same_rows, smaller, squares
+from vv.engines.kernels.arrays import larger, same_rows, smaller, squares, zero_rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, one_of, rate, travel
@@ -113,7 +113,7 @@ def rates(setting: Setting, state: State, time: float, v: Vector, w: Vector) -> 
 @called
 def shift_at(setting: Setting, time: float) -> Vector:
     """The displacements (w, 3) of the walls at a time [s], in m."""
-    shift = nil_rows(len(setting.planes.point))
+    shift = zero_rows(len(setting.planes.point))
     for k in range(len(setting.planes.point)):
         put(shift, k, travel(one_of(setting.drives, setting.drive_start, k), time))
     return shift

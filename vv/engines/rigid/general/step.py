@@ -13,14 +13,14 @@ from vv.engines.kernels.arrays import (
     counts,
     larger,
     least_of,
-    nil_numbers,
-    nil_rows,
-    nil_squares,
     numbers,
     rows,
     same_counts,
     squares,
     unmarked,
+    zero_numbers,
+    zero_rows,
+    zero_squares,
 )
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called
@@ -127,9 +127,9 @@ def attempt(
     for the next, for one call of `solved`.
     """
     n, b = len(setting.mass), len(setting.inverse)
-    rotation, turned = squares(n), nil_squares(b)
-    centre, w, w_old = nil_rows(b), nil_rows(b), nil_rows(b)
-    v, v_old, v_mean = nil_rows(b), nil_rows(b), nil_rows(b)
+    rotation, turned = squares(n), zero_squares(b)
+    centre, w, w_old = zero_rows(b), zero_rows(b), zero_rows(b)
+    v, v_old, v_mean = zero_rows(b), zero_rows(b), zero_rows(b)
     forecast(setting, state, span, rotation, w, turned)
     free_velocities(setting, state, now, span, v)
     shift, here = shift_at(setting, now + span), shift_at(setting, now)
@@ -154,8 +154,8 @@ def attempt(
     bodies = Bodies(setting.inverse, turned, centre)
     joints = assemble(found, count, bodies)
     before = matched(found.key, count, past.key)
-    friction = Friction(setting.mu, nil_numbers(count), nil_rows(count), nil_rows(count))
-    p, gap, opens = nil_rows(count), numbers(count), numbers(count)
+    friction = Friction(setting.mu, zero_numbers(count), zero_rows(count), zero_rows(count))
+    p, gap, opens = zero_rows(count), numbers(count), numbers(count)
     known, apart = unmarked(count), 0.0
     for c in range(count):
         m = at(joints.normal, c)
@@ -197,7 +197,7 @@ def solved(
 
     It is one function since half of its lines are arguments and results.
     """
-    count, acted = len(p), nil_rows(len(p))
+    count, acted = len(p), zero_rows(len(p))
     for c in range(count):
         apply_nonzero(joints, c, bodies, v, w, at(p, c))
     act_at_midstep(p, acted, joints, middle, turn, bodies, v, w)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.kernels.arrays import nil_squares, same_rows
+from vv.engines.kernels.arrays import same_rows, zero_squares
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, dot
 from vv.scene import Vector
@@ -66,7 +66,7 @@ def held_inverse(inertia: Vector, hold: Vector, out: Vector) -> None:
     result is projected once more, so that no rounding is left where a spin is locked.
     """
     trace = inertia[0, 0] + inertia[1, 1] + inertia[2, 2]
-    a = nil_squares(1)[0]
+    a = zero_squares(1)[0]
     for i in range(3):
         for j in range(3):
             for k in range(3):

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.kernels.arrays import clear, larger, nil_numbers, nil_rows, rows
+from vv.engines.kernels.arrays import clear, larger, rows, zero_numbers, zero_rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
@@ -121,11 +121,11 @@ def solve_contacts(
     At least `fewest` sweeps are made, unless the residual is zero. Returns the number of sweeps and
     the residual, which exceeds the tolerance if `most` sweeps were not enough.
     """
-    direction, before = nil_rows(len(p)), rows(len(p))
+    direction, before = zero_rows(len(p)), rows(len(p))
     direction_v, before_v, direction_w, before_w = (
-        nil_rows(len(v)),
+        zero_rows(len(v)),
         rows(len(v)),
-        nil_rows(len(w)),
+        zero_rows(len(w)),
         rows(len(w)),
     )
     last, left = 0.0, residual(p, joints, friction, v, w)
@@ -198,7 +198,7 @@ def push_out(
     They are the least ones in the norm of the masses, approximated by `sweeps` sweeps; velocities
     do not change.
     """
-    pushed = nil_numbers(len(gap))
+    pushed = zero_numbers(len(gap))
     clear(x)
     clear(turn)
     for _ in range(sweeps):

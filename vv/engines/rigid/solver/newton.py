@@ -15,12 +15,12 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import (
     clear,
     larger,
-    nil_numbers,
-    nil_squares,
     numbers,
     rows,
     same_rows,
     table,
+    zero_numbers,
+    zero_squares,
 )
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
@@ -72,7 +72,7 @@ def longest_arms(joints: Joints, blocks: int) -> Vector:
 
     Pivots are chosen among velocities and spins, and must not depend on the unit of length.
     """
-    lever = nil_numbers(blocks)
+    lever = zero_numbers(blocks)
     for c in range(len(joints.first)):
         for side in range(2):
             i = joints.second[c] if side else joints.first[c]
@@ -142,7 +142,7 @@ def newton_round(
     half, lever = half_width(joints, rows_of, blocks), longest_arms(joints, blocks)
     x, y = same_rows(v, len(v)), same_rows(w, len(w))
     z, o = rows(len(v)), rows(len(w))
-    slope, right, matrix = nil_squares(1)[0], numbers(m), table(m, 3 * half + 1)
+    slope, right, matrix = zero_squares(1)[0], numbers(m), table(m, 3 * half + 1)
     for _ in range(INNER):
         clear(matrix)
         copy_rows(z, v)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import counts, larger, nil_counts, same_counts
+from vv.engines.kernels.arrays import counts, larger, same_counts, zero_counts
 from vv.engines.kernels.compiled import called
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import can_move
@@ -42,7 +42,7 @@ def seated(joints: Joints, bodies: Bodies, run: Index, begin: Index) -> tuple[In
     of its moving bodies.
     """
     many, b = len(begin), len(bodies.centre)
-    size, degree, most = nil_counts(many), nil_counts(b), 0 * many
+    size, degree, most = zero_counts(many), zero_counts(b), 0 * many
     for c in range(len(run)):
         if run[c] >= 0:
             size[run[c]] += 1
@@ -52,8 +52,8 @@ def seated(joints: Joints, bodies: Bodies, run: Index, begin: Index) -> tuple[In
             if can_move(bodies, body):
                 most = larger(most, degree[body])
     limit = many // LANES + 2 * most + 1
-    taken = nil_counts(b * limit)
-    seat, filled, depth = counts(many), nil_counts(limit), nil_counts(limit)
+    taken = zero_counts(b * limit)
+    seat, filled, depth = counts(many), zero_counts(limit), zero_counts(limit)
     begun, last = 0 * many, 0 * many
     for less in range(DEPTH):
         for r in range(many):
