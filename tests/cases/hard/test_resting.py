@@ -9,7 +9,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from cases.hard.resting import _held
+from cases.hard.resting import _observed_energy
 from reference_solutions.checks.contact import resting_lattice as lowest
 from reference_solutions.contact import resting_lattice as balanced
 from tests.support.turned_signs import caught, signs, turned
@@ -119,7 +119,9 @@ def test_a_gain_is_seen_after_a_loss_that_would_hide_it() -> None:
         for what, values in run.values.items()
     }  # fmt: skip
     late = dataclasses.replace(run, values=grown)
-    held = functools.partial(_held, CASE.declare("knocked", CASE.defaults("knocked")).study.scene)
+    held = functools.partial(
+        _observed_energy, CASE.declare("knocked", CASE.defaults("knocked")).study.scene
+    )
     assert held(late)[-1] < held(late)[0]
     assert judged(numbers["gained"], late) == "fail"
 
