@@ -171,7 +171,7 @@ APART = -1e30
 HITS = 1e-4
 """Over the largest displacement in a step: gaps up to this take part in an impact."""
 
-BLOW = 1e-9
+IMPACT_TIME = 1e-9
 """Duration of an impact over the step: velocities change in it and positions do not."""
 
 PARTS = 512

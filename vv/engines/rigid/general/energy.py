@@ -57,11 +57,11 @@ def arm_covariance(trial: Trial, c: int, gained: Vector) -> Triple:
 @called
 def add_works(
     account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float,
-    blow: bool,
+    impact: bool,
 ) -> None:  # fmt: skip
     """Add to account (7,) [J] the work of contacts, walls, shaking and forces in a step.
 
-    In an impact (`blow`), all energy lost in contacts counts as lost by impact: the slip of a
+    In an impact, all energy lost in contacts counts as lost by impact: the slip of a
     corner may reverse within it, so that friction returns energy that the normal impulse has taken,
     and only their sum has a definite sign.
     """
@@ -80,7 +80,7 @@ def add_works(
         add_work(account, trial.middle, c, p, v_mid, w_mid, n, arm_covariance(trial, c, gained))
         rest = add_scaled(at(trial.p, c), -1.0, at(trial.acted, c))
         add_work(account, trial.joints, c, rest, v_mid, w_mid, n, ZERO)
-    if blow:
+    if impact:
         account[HIT] += account[RUBBED] - rubbed
         account[RUBBED] = rubbed
     shake = mean(setting.shaking, now, span)

@@ -34,7 +34,17 @@ from vv.engines.rigid.general.lever_arms import turned_back
 from vv.engines.rigid.general.setting import Setting, State, fastest_speed, shift_at
 from vv.engines.rigid.general.step import Trial, attempt, no_past
 from vv.engines.rigid.general.turning import turn_by
-from vv.engines.rigid.limits import APART, BLOW, BRIEF, CUTS, HITS, NEARLY, PUSHES, SMALL, SPLITS
+from vv.engines.rigid.limits import (
+    APART,
+    BRIEF,
+    CUTS,
+    HITS,
+    IMPACT_TIME,
+    NEARLY,
+    PUSHES,
+    SMALL,
+    SPLITS,
+)
 from vv.engines.rigid.slip import least_slip_speed
 from vv.engines.rigid.solver.assembly import relative
 from vv.engines.rigid.solver.cone import push_out
@@ -82,17 +92,17 @@ def remove_penetration(
 
 
 @lent
-def add_impulses(given: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
-    """Add the impulses (b, 3) [N s] of contacts and shaking on bodies in a step to `given`."""
+def add_impulses(impulses: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
+    """Add the impulses (b, 3) [N s] of contacts and shaking on bodies in a step to `impulses`."""
     shake = mean(setting.shaking, now, span)
     for i in range(len(setting.mass)):
-        put(given, i, add_scaled(at(given, i), span * setting.mass[i], shake))
+        put(impulses, i, add_scaled(at(impulses, i), span * setting.mass[i], shake))
     for c in range(len(trial.p)):
         a, b = trial.joints.first[c], trial.joints.second[c]
         late = add_scaled(at(trial.p, c), -1.0, at(trial.acted, c))
         p = add_scaled(turned_back(trial.turn, c, at(trial.acted, c)), 1.0, late)
-        put(given, b, add_scaled(at(given, b), 1.0, p))
-        put(given, a, add_scaled(at(given, a), -1.0, p))
+        put(impulses, b, add_scaled(at(impulses, b), 1.0, p))
+        put(impulses, a, add_scaled(at(impulses, a), -1.0, p))
 
 
 @lent
@@ -105,11 +115,11 @@ def fill_forces(force: Vector, setting: Setting, trial: Trial, now: float, span:
 
 
 @lent
-def fill_reaction(row: Vector, force: Vector, given: Vector) -> None:
+def fill_reaction(row: Vector, force: Vector, impulses: Vector) -> None:
     """Fill row (b, 6) with forces and impulses (b, 3)."""
     for i in range(len(row)):
         for c in range(3):
-            row[i, c], row[i, 3 + c] = force[i, c], given[i, c]
+            row[i, c], row[i, 3 + c] = force[i, c], impulses[i, c]
 
 
 @lent
@@ -157,77 +167,78 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     account, contacts = zero_numbers(7), empty_contacts(64 + 0 * n)
     past = no_past(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
-    pressed, given, done = zero_rows(reaction.shape[1]), zero_rows(reaction.shape[1]), 0
+    pressed, impulses, steps = zero_rows(reaction.shape[1]), zero_rows(reaction.shape[1]), 0
     for row in range(len(path)):
         for c in range(report.shape[1]):
             report[row, c] = 0.0
         for _ in range(stride if row else 0):
-            begin, looked, blow, calm = 0.0, False, False, False
+            elapsed, start_sought, impact, impact_ruled_out = 0.0, False, False, False
             for part in range(parts):
-                now, rest, cuts = done * dt + begin, dt - begin, part + 1 < parts
-                whole, lands = rest, False
-                if not blow:
-                    trial = attempt(setting, state, now, rest, contacts, past, setting.slack)
-                    if cuts and not calm:
-                        whole, lands = time_to_landing(
-                            setting, state, past, now, rest, dt, contacts, trial
+                now, remaining, divisible = steps * dt + elapsed, dt - elapsed, part + 1 < parts
+                whole, lands_later = remaining, False
+                if not impact:
+                    trial = attempt(setting, state, now, remaining, contacts, past, setting.slack)
+                    if divisible and not impact_ruled_out:
+                        whole, lands_later = time_to_landing(
+                            setting, state, past, now, remaining, dt, contacts, trial
                         )
-                        blow = whole == 0.0
-                if blow:
-                    whole = smaller(BLOW * dt, rest)
+                        impact = whole == 0.0
+                if impact:
+                    whole = smaller(IMPACT_TIME * dt, remaining)
                     wide = setting.slack + HITS * dt * fastest_speed(setting, state, now, dt)
                     trial = attempt(setting, state, now, whole, contacts, past, wide)
-                    calm = not impact_acted(setting, trial, dt)
-                elif lands:
+                    impact_ruled_out = not impact_acted(setting, trial, dt)
+                elif lands_later:
                     trial = attempt(
                         setting, state, now, whole, contacts, past, APART * setting.slack
                     )
                 span, least = whole, least_slip_speed(whole, setting.pull, setting.tolerance)
-                if blow:
+                if impact:
                     least = least_slip_speed(dt, setting.pull, setting.tolerance)
-                elif cuts and marked(trial.ended):
+                elif divisible and marked(trial.ended):
                     span = time_to_slip_end(setting, state, past, now, whole, dt, contacts, trial)
                     least = larger(least, NEARLY * setting.pull * whole)
                     if span < 0.0:
-                        blow, span = True, BLOW * dt
+                        impact, span = True, IMPACT_TIME * dt
                         past = past_with_impulses(trial, span)
                         trial = attempt(setting, state, now, span, contacts, past, setting.slack)
                         past, span = past_with_impulses(trial, span), 0.0
                     if span == 0.0:
                         continue
-                elif (cuts and not looked) and (marked(trial.begun) or may_slip(setting, trial)):
-                    looked = True
+                elif (divisible and not start_sought) and (
+                    marked(trial.begun) or may_slip(setting, trial)
+                ):
+                    start_sought = True
                     span = time_to_slip_start(setting, state, past, now, whole, dt, contacts, trial)
                 if span < whole:
                     trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
                 before = State(
                     same_rows(state.centre, n), state.rotation, state.v, same_rows(state.w, n)
                 )
-                add_works(account, setting, state, trial, now, span, blow)
+                add_works(account, setting, state, trial, now, span, impact)
                 move(setting, state, trial, span)
                 deepest = remove_penetration(account, setting, state, trial, before, now, span)
-                lasting = (
-                    dt / CUTS if blow else larger(span, BRIEF * dt)
-                )  # no impulse of an impact lasts
-                past = past_after(trial, lasting, least)
-                add_impulses(given, setting, trial, now, span)
-                if not blow:
+                # the impulse of an impact does not act on
+                averaged = dt / CUTS if impact else larger(span, BRIEF * dt)
+                past = past_after(trial, averaged, least)
+                add_impulses(impulses, setting, trial, now, span)
+                if not impact:
                     fill_forces(pressed, setting, trial, now, span)
-                blow = False
+                impact = False
                 report[row, 0] = larger(report[row, 0], trial.residual)
                 report[row, 1] = larger(report[row, 1], float(trial.sweeps))
                 report[row, 2] = larger(report[row, 2], deepest)
                 if not np.isfinite(kinetic(setting, state)):  # contacts cannot be detected
                     return row
-                begin += span
-                if span == rest:
+                elapsed += span
+                if span == remaining:
                     break
                 report[row, 3] += 1.0
-            done += 1
-            if done == 1:
-                fill_reaction(reaction[0], pressed, zero_rows(len(given)))
+            steps += 1
+            if steps == 1:
+                fill_reaction(reaction[0], pressed, zero_rows(len(impulses)))
         if row > 0:
-            fill_reaction(reaction[row], pressed, given)
+            fill_reaction(reaction[row], pressed, impulses)
         fill_path(path[row], watched, state, centre)
         energy[row, 0] = total = kinetic(setting, state)
         for c in range(len(account)):

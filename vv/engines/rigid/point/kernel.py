@@ -123,17 +123,17 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     """
     x, v, force, normal = ZERO, velocity, ZERO, ground.normal
     spent = np.zeros(7)
-    touched, done = False, 0
+    touched, steps = False, 0
     for row in range(len(path)):
         deepest, cuts = 0.0, 0
         for _ in range(stride if row else 0):
-            begin, stopped, looked = 0.0, False, False
+            elapsed, stopped, start_sought = 0.0, False, False
             for part in range(PARTS):
-                now, whole = done * dt + begin, dt - begin
+                now, whole = steps * dt + elapsed, dt - elapsed
                 w_old = rate(ground.base, now)
                 u_old = add_scaled(v, -1.0, w_old)
-                flies, span = not touched and part + 1 < PARTS, whole
-                if flies:
+                in_air, span = not touched and part + 1 < PARTS, whole
+                if in_air:
                     span = landing_time(ground, x, v, now, whole)
                     if span <= CUTS * dt:
                         touch = with_contact(ground, u_old, 0.0, ZERO, ZERO)
@@ -147,7 +147,7 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 ended = False
                 touch = (
                     in_flight(ground, v, now, span)
-                    if flies
+                    if in_air
                     else trial_step(ground, x, v, now, span, d)
                 )
                 if touched and part + 1 < PARTS:
@@ -155,14 +155,14 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     if span < whole:
                         touch = trial_step(ground, x, v, now, span, d)
                     ended = slip_ended(ground, touch, touched, d, span)
-                    begun = not looked and (
+                    begun = not start_sought and (
                         slip_began(ground, touch, touched, d, span)
                         or (
                             may_slip(ground, touch, touched, d)
                             and slips_after(ground, x, v, now, whole, dt)
                         )
                     )
-                    looked = looked or (begun and not ended)
+                    start_sought = start_sought or (begun and not ended)
                     if ended or begun:
                         span = time_to_event(ground, x, v, now, straight, dt, d, not ended)
                         if span == 0.0 and ended:
@@ -184,7 +184,7 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 spent[3] += span * dot(mean(ground.shaking, now, span), middle)
                 x = add_scaled(x, span, middle)
                 deep = -gap_at(ground, x, now + span)
-                if not (flies and span < whole):
+                if not (in_air and span < whole):
                     deep = max(0.0, deep)
                 x = add_scaled(x, deep, normal)
                 deepest = max(deepest, deep)
@@ -193,13 +193,13 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 spent[5] += dot(ground.load, moved)
                 spent[6] += deep * dot(normal, add_scaled(ground.gravity, 1.0, ground.load))
                 v, touched = v_new, touch.p > 0.0
-                begin += span
+                elapsed += span
                 if span == whole:
                     break
                 along = tangential(ground, touch.u)
                 stopped = ended and np.sqrt(dot(along, along)) <= NEARLY * ground.pull * whole
                 cuts += 1
-            done += 1
+            steps += 1
         for c in range(3):
             path[row, c], path[row, 3 + c] = x[c], v[c]
             reaction[row, 0, c] = force[c]
