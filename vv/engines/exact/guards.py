@@ -42,8 +42,7 @@ def next_event(  # noqa: PLR0912 - a branch per guard
     for a bond, the distance of the centres. Viscous contact: U + tau U', tau = eta_n/kn, in place
     of U, and its opposite once parted. Stuck contact: r U - s and r U + s for a stretch s, r = mu
     kn/ks. Slip along sigma: the rate sigma x' - r U' of slip, for a tangential travel x. It is one
-    function since it is one table of guards, read in the order of states. It is one function since
-    it is one table of guards, read in the order of states.
+    function since it is one table of guards, read in the order of states.
     """
     found, after = 0, NONE
     count, r = len(states), equations.ratio

@@ -127,8 +127,7 @@ def newton(
 
     constant: (q,) generalised forces that depend on neither contacts nor unknowns; shut: (c, 3)
     displacements of walls [m]. An increment is halved until the residual decreases. It is one
-    function since equations, solution and line search share its arrays. It is one function since
-    equations, solution and line search share its arrays.
+    function since equations, solution and line search share its arrays.
     """
     q, count = len(d), len(touch.key)
     first, matrix = counts(q), table(q, q)

@@ -95,7 +95,7 @@ def bend(
 
     The forces are those on the first ends. The loop has no branch, no call and no sum of floats, so
     that it is vectorised. A bond that breaks or is broken has no force. For this reason it is one
-    function. For this reason it is one function.
+    function.
     """
     breaking = 0
     for q in range(many):
