@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from vv.engines.dem.rows import Index
-from vv.engines.dem.space.neighbours import Near, swept
+from vv.engines.dem.space.neighbours import Near, near_pairs
 from vv.scene import Vector
 
 SKIN = 0.1  # m
 
 
 def found(near: Near, u: Vector) -> Index:
-    return swept(near, u)
+    return near_pairs(near, u)
 
 
 FOUND: Any = numba.njit(found)  # what has no entry from Python, called by what has

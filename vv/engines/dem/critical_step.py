@@ -65,9 +65,9 @@ def _stiffest(scene: Scene) -> tuple[float, float]:
 def highest_square(state: SpaceState) -> float:
     """w_max^2 [1/s2]: the largest eigenvalue of M^-1/2 K M^-1/2."""
     springs, closed = _springs(state)
-    parts = _parts(state.bodies, springs)
+    parts = _spring_matrices(state.bodies, springs)
     alone = np.linalg.eigvalsh(np.einsum("kasb,kcsb->kac", parts, parts))[:, -1]
-    together = _together(parts[closed], springs.rows[closed], len(state.bodies.mass))
+    together = _largest_eigenvalue(parts[closed], springs.rows[closed], len(state.bodies.mass))
     rules = state.of_each_term("highest_square", 0.0, state.near, state.bodies)
     return float(max(together, alone.max(initial=0.0), *rules))
 
@@ -83,7 +83,7 @@ def _springs(state: SpaceState) -> tuple[Springs, Mask]:
     return Springs(*joined), np.concatenate([np.zeros(0, bool), *(closed for _, closed in springs)])
 
 
-def _parts(bodies: Bodies, springs: Springs) -> Vector:
+def _spring_matrices(bodies: Bodies, springs: Springs) -> Vector:
     """The matrices K^1/2 B M^-1/2 (k, 3, 2, 6) of springs; B gives the relative motion of ends."""
     m, n = len(bodies.mass), springs.n
     soft, stiff = np.sqrt(springs.ks)[:, None, None], np.sqrt(springs.kn)[:, None, None]
@@ -103,7 +103,7 @@ def _parts(bodies: Bodies, springs: Springs) -> Vector:
     return parts
 
 
-def _together(parts: Vector, rows: Index, m: int) -> float:
+def _largest_eigenvalue(parts: Vector, rows: Index, m: int) -> float:
     """The largest eigenvalue of B^T B, B assembled from parts of springs; rows >= m are fixed."""
     there = rows < m
     which, end = np.nonzero(there)

@@ -32,7 +32,7 @@ def refuses(ask: Ask) -> str | None:
         _spins_where_locked(scene)
         or _coincident(scene)
         or _unknown_reaction(ask, scene)
-        or _rings(scene, dt)
+        or _reversed_viscous_force(scene, dt)
         or why_left_out(scene, wants_all(ask))
     )
 
@@ -82,7 +82,7 @@ def _coincident(scene: Scene) -> str | None:
     return None
 
 
-def _rings(scene: Scene, dt: float) -> str | None:
+def _reversed_viscous_force(scene: Scene, dt: float) -> str | None:
     """Why the step is refused where it would reverse a viscous force within half a step.
 
     The force would then alternate, and create energy.

@@ -73,7 +73,7 @@ class PreparedSpheres:
         outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
         state, leapfrog = self.system.state, (self.leapfrog.lag, self.leapfrog.back)
         if self.threads > 1:
-            state = _shared(state, self.threads)
+            state = _with_threads(state, self.threads)
         return (*outputs, goal.stride(dt), dt, *state, *leapfrog)
 
     @functools.cached_property
@@ -199,7 +199,7 @@ def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> PreparedSpheres:
     return PreparedSpheres(ask, leapfrog, system, stand_in, threads)
 
 
-def _shared(state: Any, threads: int) -> Any:
+def _with_threads(state: Any, threads: int) -> Any:
     """The arguments of a kernel, with threads in all parts that can use them."""
     if isinstance(state, BulkState):
         return state._replace(threads=threads)

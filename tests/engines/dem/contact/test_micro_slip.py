@@ -9,7 +9,7 @@ from reference_solutions.impact.micro_slip import rebound
 from reference_solutions.impact.rebound import Law, Sphere
 from vv.ask import Ask, History, Knobs, Velocity
 from vv.engines import dem
-from vv.engines.dem.contact.micro_slip import weight_of
+from vv.engines.dem.contact.micro_slip import spring_weight
 from vv.engines.dem.refusals import refuses
 from vv.engines.dem.solve import solve
 from vv.scene import Bonds, Contact, Hertz, Scene, Spheres, Vector, Wall
@@ -60,7 +60,7 @@ def test_a_turned_scene_gives_turned_velocities() -> None:
 
 def test_weights_of_springs_add_up_to_the_force_of_full_slip() -> None:
     apart, edge = 0.1, 0.537
-    weights = [weight_of.__wrapped__(k, 5, apart, edge) for k in range(6)]  # type: ignore[attr-defined]
+    weights = [spring_weight.__wrapped__(k, 5, apart, edge) for k in range(6)]  # type: ignore[attr-defined]
     stretch = [edge**2 - (k * apart) ** 2 for k in range(6)]
     assert np.dot(weights, stretch) == pytest.approx(2.0 / 3.0 * edge**3, rel=1e-14)
 

@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from vv.engines.dem.contact.friction import tried
+from vv.engines.dem.contact.friction import trial_force
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import compiled
 from vv.engines.kernels.triples import NOWHERE, Triple
@@ -19,7 +19,7 @@ from vv.scene import Vector
 def carried(spring: Triple, n: Triple, n_before: Triple, twist: float) -> Triple:
     """A spring after a step in which nothing slid and the plane turned."""
     touch = Touch(0.0, 0.0, n, n_before, n, (0.0, 0.0), NOWHERE, NOWHERE, twist)
-    return tried(spring, touch, NOWHERE, 1.0)[2]
+    return trial_force(spring, touch, NOWHERE, 1.0)[2]
 
 
 def least_turn(before: Vector, after: Vector) -> Rotation:

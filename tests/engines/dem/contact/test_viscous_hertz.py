@@ -9,7 +9,7 @@ from reference_solutions.impact import viscous
 from reference_solutions.impact.rebound import Law, Sphere, rebound
 from vv.ask import Ask, History, Knobs, Velocity
 from vv.engines import dem
-from vv.engines.dem.contact.hertz import made_up
+from vv.engines.dem.contact.hertz import first_step_factor
 from vv.engines.dem.solve import solve
 from vv.scene import Contact, Hertz, Scene, Spheres, Wall
 
@@ -62,5 +62,5 @@ def test_the_first_step_makes_up_for_what_sums_of_fourth_roots_miss(since: float
     nodes = (since + np.arange(1, count)) ** 0.25
     far = since + count
     integral = 0.8 * far**1.25 - 0.5 * far**0.25 + far**-0.75 / 48.0
-    seen = made_up.__wrapped__(since)  # type: ignore[attr-defined]
+    seen = first_step_factor.__wrapped__(since)  # type: ignore[attr-defined]
     assert seen == pytest.approx(integral - nodes.sum(), abs=1e-5)

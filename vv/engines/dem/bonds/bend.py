@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from vv.engines.dem.bonds.blocks import FIRST, KN, OFFSET, RADII, SLIP, STRAINED, WIDE, Ends
 from vv.engines.dem.bonds.law import Frail, arms, beyond, charged, rolled, stretched
-from vv.engines.dem.contact.friction import turned
+from vv.engines.dem.contact.friction import rotated
 from vv.engines.dem.space.neighbours import State
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.prefetch import begin_to_read
@@ -112,7 +112,7 @@ def bend(
                 m, twist = rolled(m, half, dt, spins[0], spins[1], radii[0], radii[1])
             s = charged(s, m, half)
             if w is not None:
-                s = turned(s, n, twist)
+                s = rotated(s, n, twist)
             note(table, k, SLIP, q, s)
             across = add_scaled(NOWHERE, own(table, like, 1, k, q), s)
         if frail is not None:

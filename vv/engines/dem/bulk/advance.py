@@ -17,7 +17,7 @@ from vv.engines.dem.bulk.grains import (
     part,
     put_part,
 )
-from vv.engines.dem.space.advance import carried_on
+from vv.engines.dem.space.advance import next_velocity
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
@@ -110,7 +110,7 @@ def carry(crowd: Crowd, c: int, first: int, last: int, span: float, drag: Drag |
             put_part(acting, i, TURN, NOWHERE)
             continue
         old = part(row, i, V)
-        new = carried_on(old, at(acting, i), mass[i], dt, drag, lag, i)
+        new = next_velocity(old, at(acting, i), mass[i], dt, drag, lag, i)
         if drag is not None:
             powers = taken(drag, lag, old, new)
             behind += powers[0]

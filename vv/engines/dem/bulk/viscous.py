@@ -12,8 +12,8 @@ import numpy as np
 from vv.engines.dem.bulk.grains import RADIUS, Grains, V, part
 from vv.engines.dem.bulk.near import Near
 from vv.engines.dem.contact.dashpots import RATE, SPRING, Met, add_viscous_forces, apply_forces
-from vv.engines.dem.contact.linear import late
-from vv.engines.dem.contact.pairs import last_step
+from vv.engines.dem.contact.linear import closing_factor
+from vv.engines.dem.contact.pairs import normals_in_step
 from vv.engines.dem.space.neighbours import MET
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined, inlined_called, lent
@@ -50,7 +50,7 @@ def meet(
                     math.sqrt(square),
                     add_scaled(part(row, j, V), -1.0, part(row, i, V)),
                 )
-                opened = last_step(d, length, relative, dt)[2]
+                opened = normals_in_step(d, length, relative, dt)[2]
                 normal = add_scaled(NOWHERE, 1.0 / length, d)
                 enter(met, used, (i, j), normal, reach - length, opened, dashpot)
                 used += 1
@@ -74,9 +74,9 @@ def enter(
     opened: float,
     dashpot: Dashpot,
 ) -> None:
-    """Fill line k of the list; a contact that closed within the step gets `late` times eta_n."""
+    """Fill line k of the list; `closing_factor` applies if the contact closed in the step."""
     rows, kept = met
-    share = late(overlap, -opened) if overlap + opened <= 0.0 else 1.0
+    share = closing_factor(overlap, -opened) if overlap + opened <= 0.0 else 1.0
     rows[k, 0], rows[k, 1] = ends
     put(kept, k, normal)
     kept[k, SPRING], kept[k, RATE] = dashpot[0] * overlap, share * dashpot[1]

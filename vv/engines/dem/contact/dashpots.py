@@ -6,12 +6,12 @@ The forces of all contacts are therefore found together, by Gauss-Seidel sweeps 
 
 from __future__ import annotations
 
-from vv.engines.dem.contact.law import Law, damped, pressed
-from vv.engines.dem.contact.pairs import Pairs, apart
+from vv.engines.dem.contact.law import Law, damping_at, normal_force
+from vv.engines.dem.contact.pairs import Pairs, pair_overlap
 from vv.engines.dem.contact.touch import reduced_mass
-from vv.engines.dem.contact.walls import Moving, Walls, into_wall
+from vv.engines.dem.contact.walls import Moving, Walls, wall_overlap
 from vv.engines.dem.rows import Index
-from vv.engines.dem.space.advance import carried_on, held
+from vv.engines.dem.space.advance import free_part, next_velocity
 from vv.engines.dem.space.neighbours import OVERLAP
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined
@@ -42,7 +42,7 @@ def update_contacts(
     k = 0
     if pairs is not None:
         for p in range(len(pairs[0])):
-            overlap, d, length = apart(u, pairs, p)
+            overlap, d, length = pair_overlap(u, pairs, p)
             reduced = 1.0 / (1.0 / pairs[3][p, 0] + 1.0 / pairs[3][p, 1])
             update_contact(
                 met, k, add_scaled(NOWHERE, 1.0 / length, d), overlap, reduced, law, mass
@@ -50,7 +50,7 @@ def update_contacts(
             k += 1
     if walls is not None:
         for q in range(len(walls[0])):
-            overlap = into_wall(u, walls, moving, q)
+            overlap = wall_overlap(u, walls, moving, q)
             update_contact(met, k, at(walls[1], q), overlap, walls[3][q], law, mass)
             k += 1
 
@@ -65,8 +65,8 @@ def update_contact(
     put(kept, k, n)
     if overlap > 0.0:
         reduced = reduced_mass(mass, ends[k, 0], ends[k, 1])
-        kept[k, SPRING] = pressed(law, overlap, radius)[0]
-        kept[k, RATE] = damped(law, before, overlap, radius, reduced)
+        kept[k, SPRING] = normal_force(law, overlap, radius)[0]
+        kept[k, RATE] = damping_at(law, before, overlap, radius, reduced)
     else:
         kept[k, SPRING] = kept[k, RATE] = 0.0
     kept[k, OVERLAP] = overlap
@@ -91,8 +91,8 @@ def add_viscous_forces(
     kick. The powers are those at the velocities before and after.
     """
     for i in range(len(mass)):
-        free = held(at(push, i), hold, i)
-        put(new, i, carried_on(at(v, i), free, mass[i], dt, drag, lag, i))
+        free = free_part(at(push, i), hold, i)
+        put(new, i, next_velocity(at(v, i), free, mass[i], dt, drag, lag, i))
     clear_forces(mets[0])
     clear_forces(mets[1])
     extra = 0.0
@@ -179,9 +179,9 @@ def corrected_force(
     n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
     first, second = NOWHERE, NOWHERE
     if i < len(mass):
-        first = add_scaled(NOWHERE, dt / (mass[i] + extra), held(n, hold, i))
+        first = add_scaled(NOWHERE, dt / (mass[i] + extra), free_part(n, hold, i))
     if j < len(mass):
-        second = add_scaled(NOWHERE, dt / (mass[j] + extra), held(n, hold, j))
+        second = add_scaled(NOWHERE, dt / (mass[j] + extra), free_part(n, hold, j))
     went = dot(n, add_scaled(at(v, i), -1.0, at(v, j)))
     goes = dot(n, add_scaled(at(new, i), -1.0, at(new, j)))
     rate = kept[k, RATE]

@@ -23,7 +23,7 @@ def share_closed(overlap: float, opened: float) -> float:
 
 
 @inlined
-def slid(touch: Touch, dt: float) -> tuple[Triple, Triple]:
+def slide_in_step(touch: Touch, dt: float) -> tuple[Triple, Triple]:
     """The slide [m] in the closed part of a step, and its change since the previous step [m]."""
     share = dt * share_closed(touch.overlap, touch.opened)
     m, relative, changed = touch.midway, touch.relative, touch.changed
@@ -32,7 +32,7 @@ def slid(touch: Touch, dt: float) -> tuple[Triple, Triple]:
 
 
 @inlined
-def turned(s: Triple, n: Triple, angle: float) -> Triple:
+def rotated(s: Triple, n: Triple, angle: float) -> Triple:
     """The vector s, perpendicular to n, rotated about n by a small angle [rad].
 
     The length of s is preserved exactly.
@@ -43,19 +43,19 @@ def turned(s: Triple, n: Triple, angle: float) -> Triple:
 
 
 @inlined
-def rub(
+def shear_force(
     spring: Triple, touch: Touch, ks: float, caps: tuple[float, float], dt: float
 ) -> tuple[Triple, float]:
     """The tangential force [N] after a step of dt [s], and the energy [J] dissipated by friction.
 
-    Arguments as for `sheared`.
+    Arguments as for `shear_force_after`.
     """
-    slide, change = slid(touch, dt)
-    return sheared(spring, touch, slide, change, ks, caps)
+    slide, change = slide_in_step(touch, dt)
+    return shear_force_after(spring, touch, slide, change, ks, caps)
 
 
 @inlined
-def sheared(
+def shear_force_after(
     spring: Triple,
     touch: Touch,
     slide: Triple,
@@ -65,17 +65,19 @@ def sheared(
 ) -> tuple[Triple, float]:
     """The tangential force [N] after a step, and the energy [J] dissipated by friction in the step.
 
-    spring, slide, ks: as for `tried`; caps: the Coulomb limits mu Fn [N] before and after the step;
-    change: slide minus that of the previous step [m].
+    spring, slide, ks: as for `trial_force`; caps: the Coulomb limits mu Fn [N] before and after the
+    step; change: slide minus that of the previous step [m].
     """
-    old, slide, trial = tried(spring, touch, slide, ks)
+    old, slide, trial = trial_force(spring, touch, slide, ks)
     if dot(trial, trial) <= caps[1] * caps[1]:
         return trial, 0.0
-    return slipped(old, trial, slide, change, ks, caps)
+    return slip_force(old, trial, slide, change, ks, caps)
 
 
 @inlined
-def tried(spring: Triple, touch: Touch, slide: Triple, ks: float) -> tuple[Triple, Triple, Triple]:
+def trial_force(
+    spring: Triple, touch: Touch, slide: Triple, ks: float
+) -> tuple[Triple, Triple, Triple]:
     """The old tangential force rotated [N], the slide in the new plane [m], the trial force [N].
 
     spring: the tangential force before the step. It rotates with the contact plane from n_before to
@@ -87,13 +89,13 @@ def tried(spring: Triple, touch: Touch, slide: Triple, ks: float) -> tuple[Tripl
     old = add_scaled(
         spring, -dot(n, spring) / (1.0 + dot(n, n_before)), add_scaled(n, 1.0, n_before)
     )
-    old, slide = twisted(old, slide, n, touch.twist)
+    old, slide = twist_both(old, slide, n, touch.twist)
     slide = add_scaled(slide, -dot(n, slide), n)
     return old, slide, add_scaled(old, -ks, slide)
 
 
 @inlined
-def slipped(
+def slip_force(
     old: Triple,
     trial: Triple,
     slide: Triple,
@@ -102,18 +104,18 @@ def slipped(
     caps: tuple[float, float],
 ) -> tuple[Triple, float]:
     """The tangential force [N] of a slipping contact, and the energy [J] dissipated by friction."""
-    turn = turns(slide, ks, caps)
-    return turned_by_slip(old, trial, slide, change, ks, caps, turn, math.exp(-turn))
+    turn = slip_number(slide, ks, caps)
+    return slip_force_with(old, trial, slide, change, ks, caps, turn, math.exp(-turn))
 
 
 @inlined
-def turns(slide: Triple, ks: float, caps: tuple[float, float]) -> float:
+def slip_number(slide: Triple, ks: float, caps: tuple[float, float]) -> float:
     """The dimensionless slip x = ks |s| dt/cap, which determines how far a force rotates."""
     return 2.0 * ks * math.sqrt(dot(slide, slide)) / (caps[0] + caps[1])
 
 
 @inlined
-def turned_by_slip(
+def slip_force_with(
     old: Triple,
     trial: Triple,
     slide: Triple,
@@ -123,33 +125,35 @@ def turned_by_slip(
     x: float,
     fading: float,
 ) -> tuple[Triple, float]:
-    """As `slipped`, with x from `turns` and fading = exp(-x) given.
+    """As `slip_force`, with x from `slip_number` and fading = exp(-x) given.
 
     The dissipated energy is the slip (the slide minus its elastic part) times the mean of the old
-    and the new force. Where the slide reverses, the direction from `slipping` could make this
+    and the new force. Where the slide reverses, the direction from `slip_direction` could make this
     negative. Then the new force is taken along the trial force, which dissipates energy also where
     the old force is below the limit.
     """
-    new, taken = capped(
-        old, slipping(old, trial, slide, change, caps, x, fading), slide, ks, caps[1]
+    new, taken = at_limit(
+        old, slip_direction(old, trial, slide, change, caps, x, fading), slide, ks, caps[1]
     )
-    other, lost = capped(old, trial, slide, ks, caps[1])
+    other, lost = at_limit(old, trial, slide, ks, caps[1])
     return (new, taken) if taken >= 0.0 else (other, lost)
 
 
 @inlined
-def twisted(old: Triple, slide: Triple, n: Triple, twist: float | None) -> tuple[Triple, Triple]:
+def twist_both(old: Triple, slide: Triple, n: Triple, twist: float | None) -> tuple[Triple, Triple]:
     """The force rotated about n by the twist, and the slide rotated by half of it.
 
     Both are returned unchanged where no sphere rotates.
     """
     if twist is None:
         return old, slide
-    return turned(old, n, twist), add_scaled(slide, 0.5 * twist, cross(n, slide))
+    return rotated(old, n, twist), add_scaled(slide, 0.5 * twist, cross(n, slide))
 
 
 @inlined
-def capped(old: Triple, pull: Triple, slide: Triple, ks: float, cap: float) -> tuple[Triple, float]:
+def at_limit(
+    old: Triple, pull: Triple, slide: Triple, ks: float, cap: float
+) -> tuple[Triple, float]:
     """The force of size `cap` [N] in the direction of `pull`, and the energy [J] dissipated."""
     new = add_scaled(NOWHERE, cap / math.sqrt(dot(pull, pull)), pull)
     slip = add_scaled(slide, 1.0 / ks, add_scaled(new, -1.0, old))
@@ -157,7 +161,7 @@ def capped(old: Triple, pull: Triple, slide: Triple, ks: float, cap: float) -> t
 
 
 @inlined
-def slipping(
+def slip_direction(
     old: Triple,
     trial: Triple,
     slide: Triple,

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vv.engines.dem.contact.friction import rub
+from vv.engines.dem.contact.friction import shear_force
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import Triple, at, dot
@@ -38,7 +38,7 @@ class Elastic(NamedTuple):
         return 3
 
 
-def elastic(scene: Scene, law: Hertz, rubs: bool) -> Elastic:
+def elastic_law(scene: Scene, law: Hertz, rubs: bool) -> Elastic:
     """The contact law of a scene of elastic spheres."""
     friction = (law.shear_modulus, scene.contact.mu) if rubs else None
     spheres = scene.spheres
@@ -53,14 +53,14 @@ def elastic(scene: Scene, law: Hertz, rubs: bool) -> Elastic:
 
 
 @inlined
-def pressed(law: Elastic, overlap: float, radius: float) -> tuple[float, float]:
+def normal_force(law: Elastic, overlap: float, radius: float) -> tuple[float, float]:
     """The normal force 4/3 E sqrt(R) U^(3/2) [N], and the elastic energy, 2/5 of it times U [J]."""
     push = 4.0 / 3.0 * law.modulus * overlap * math.sqrt(radius * overlap)
     return push, 0.4 * push * overlap
 
 
 @inlined
-def damped(law: Elastic, before: float, overlap: float, radius: float, mass: float) -> float:
+def damping_at(law: Elastic, before: float, overlap: float, radius: float, mass: float) -> float:
     """2 z sqrt(m kn) [N s/m], kn = 2 E sqrt(R U), corrected in the step in which a contact closes.
 
     With s the part of the step after the closing, the sum over steps of (s + k)^q, k = 0, 1, ...,
@@ -70,7 +70,7 @@ def damped(law: Elastic, before: float, overlap: float, radius: float, mass: flo
     part, way = 1.0, overlap - before
     if before <= TOUCHES * way:
         since = min(overlap / way, 1.0)
-        part = made_up(since) / math.sqrt(math.sqrt(since))
+        part = first_step_factor(since) / math.sqrt(math.sqrt(since))
     return part * viscosity(law.modulus, law.damping, overlap, radius, mass)
 
 
@@ -85,7 +85,7 @@ def viscosity(
 
 
 @inlined
-def made_up(since: float) -> float:
+def first_step_factor(since: float) -> float:
     """s^q - zeta(-q, s) for q = 1/4 and s in (0, 1], by Euler and Maclaurin's formula, to 1e-5."""
     far = since + 2.0
     root = math.sqrt(math.sqrt(far))
@@ -95,7 +95,7 @@ def made_up(since: float) -> float:
 
 
 @inlined
-def across(
+def shear_stiffness(
     law: Elastic, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, tuple[float, float]]:
     """The mean tangential stiffness 8 G sqrt(R U) [N/m] over a step, and the limits mu Fn [N].
@@ -107,12 +107,12 @@ def across(
     before = max(overlap + touch.opened, 0.0)
     now, then = math.sqrt(overlap), math.sqrt(before)
     mean = 2.0 / 3.0 * (overlap + now * then + before) / (now + then)
-    caps = limits(law, mu, touch, radius, mass, spring)
+    caps = friction_limits(law, mu, touch, radius, mass, spring)
     return 8.0 * shear * math.sqrt(radius) * mean, caps
 
 
 @inlined
-def stored(law: Elastic, overlap: float, radius: float, force: Triple) -> float:
+def shear_energy(law: Elastic, overlap: float, radius: float, force: Triple) -> float:
     """The elastic energy of the tangential spring [J]: F^2/(2 ks) with ks = 8 G sqrt(R U).
 
     This is not recoverable as a whole: it grows when a contact opens under a constant force.
@@ -122,18 +122,18 @@ def stored(law: Elastic, overlap: float, radius: float, force: Triple) -> float:
 
 
 @inlined
-def rubbed(
+def friction_force(
     law: Elastic, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
     """The tangential force [N] of a spring stretched by the slide, at most mu Fn; see `law.py`."""
     spring = at(kept, row)
-    ks, caps = across(law, touch, radius, mass, spring)
-    force, taken = rub(spring, touch, ks, caps, dt)
-    return force, stored(law, touch.overlap, radius, force), taken
+    ks, caps = shear_stiffness(law, touch, radius, mass, spring)
+    force, taken = shear_force(spring, touch, ks, caps, dt)
+    return force, shear_energy(law, touch.overlap, radius, force), taken
 
 
 @inlined
-def limits(
+def friction_limits(
     law: Elastic, mu: float, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, float]:
     """The limits of friction [N] before and after a step, viscous normal forces included.
@@ -142,14 +142,14 @@ def limits(
     """
     overlap = touch.overlap
     before = max(overlap + touch.opened, 0.0)
-    first, last = pressed(law, before, radius)[0], pressed(law, overlap, radius)[0]
-    behind, ahead = slowing(law.modulus, law.damping, touch, before, radius, mass)
+    first, last = normal_force(law, before, radius)[0], normal_force(law, overlap, radius)[0]
+    behind, ahead = viscous_forces(law.modulus, law.damping, touch, before, radius, mass)
     old = math.sqrt(dot(spring, spring)) if law.damping is not None else 0.0
     return max(mu * (first - behind), old), max(mu * (last - ahead), 0.0)
 
 
 @inlined
-def slowing(
+def viscous_forces(
     modulus: float, damping: float | None, touch: Touch, before: float, radius: float, mass: float
 ) -> tuple[float, float]:
     """The viscous part [N] of the normal force before and after a step, as it limits friction."""

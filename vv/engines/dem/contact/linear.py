@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vv.engines.dem.contact.friction import rub
+from vv.engines.dem.contact.friction import shear_force
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import Triple, at, dot
@@ -36,39 +36,39 @@ class Linear(NamedTuple):
 
 
 @inlined
-def pressed(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
+def normal_force(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
     """The normal force kn U [N], and its energy kn U^2/2 [J]."""
     return law.kn * overlap, 0.5 * law.kn * overlap * overlap
 
 
 @inlined
-def across(
+def shear_stiffness(
     law: Linear, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, tuple[float, float]]:
     """The tangential stiffness ks [N/m], and the limits mu Fn [N] before and after the step."""
     ks, mu = law.friction  # type: ignore[misc]  # asked where it rubs
-    return ks, caps(law.kn, mu, law.eta_n, touch, spring)
+    return ks, friction_limits(law.kn, mu, law.eta_n, touch, spring)
 
 
 @inlined
-def stored(law: Linear, overlap: float, radius: float, force: Triple) -> float:
+def shear_energy(law: Linear, overlap: float, radius: float, force: Triple) -> float:
     """The energy [J] of the tangential spring, F^2/(2 ks)."""
     return 0.5 * dot(force, force) / law.friction[0]  # type: ignore[index]  # as above
 
 
 @inlined
-def rubbed(
+def friction_force(
     law: Linear, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
     """The tangential force [N] of a spring stretched by the slide, at most mu Fn; see `law.py`."""
     spring = at(kept, row)
-    ks, limits = across(law, touch, radius, mass, spring)
-    force, taken = rub(spring, touch, ks, limits, dt)
-    return force, stored(law, touch.overlap, radius, force), taken
+    ks, limits = shear_stiffness(law, touch, radius, mass, spring)
+    force, taken = shear_force(spring, touch, ks, limits, dt)
+    return force, shear_energy(law, touch.overlap, radius, force), taken
 
 
 @inlined
-def caps(
+def friction_limits(
     kn: float, mu: float, eta_n: float | None, touch: Touch, spring: Triple
 ) -> tuple[float, float]:
     """The limits of friction mu Fn [N] before and after a step.
@@ -85,14 +85,14 @@ def caps(
 
 
 @inlined
-def damped(law: Linear, before: float, overlap: float, radius: float, mass: float) -> float:
-    """The coefficient eta_n [N s/m], times `late` in the step in which the contact closes."""
+def damping_at(law: Linear, before: float, overlap: float, radius: float, mass: float) -> float:
+    """The coefficient eta_n [N s/m], times `closing_factor` in the step in which contact begins."""
     eta_n = 0.0 if law.eta_n is None else law.eta_n
-    return eta_n * late(overlap, overlap - before) if before <= 0.0 else eta_n
+    return eta_n * closing_factor(overlap, overlap - before) if before <= 0.0 else eta_n
 
 
 @inlined
-def late(overlap: float, closed: float) -> float:
+def closing_factor(overlap: float, closed: float) -> float:
     """The factor on eta_n in the step in which a contact closes by `closed` [m] to an overlap [m].
 
     It is 1/2 plus the fraction of the step for which the contact is closed; without it, the impulse

@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vv.engines.dem.contact.friction import twisted
-from vv.engines.dem.contact.hertz import elastic
-from vv.engines.dem.contact.hertz import pressed as pressed_by_hertz
+from vv.engines.dem.contact.friction import twist_both
+from vv.engines.dem.contact.hertz import elastic_law
+from vv.engines.dem.contact.hertz import normal_force as pressed_by_hertz
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot
@@ -38,25 +38,25 @@ class MicroSlip(NamedTuple):
         return FIRST + 3 * SPRINGS
 
 
-def micro_slip(scene: Scene, law: Hertz) -> MicroSlip:
+def micro_slip_law(scene: Scene, law: Hertz) -> MicroSlip:
     """The contact law of a scene with micro-slip."""
-    return MicroSlip(*elastic(scene, law, rubs=True))
+    return MicroSlip(*elastic_law(scene, law, rubs=True))
 
 
 @inlined
-def pressed(law: MicroSlip, overlap: float, radius: float) -> tuple[float, float]:
+def normal_force(law: MicroSlip, overlap: float, radius: float) -> tuple[float, float]:
     """The normal force [N] and its energy [J], as by Hertz."""
     return pressed_by_hertz(law, overlap, radius)  # type: ignore[arg-type]  # the same fields
 
 
 @inlined
-def damped(law: MicroSlip, before: float, overlap: float, radius: float, mass: float) -> float:
+def damping_at(law: MicroSlip, before: float, overlap: float, radius: float, mass: float) -> float:
     """Zero: this law has no viscosity."""
     return 0.0
 
 
 @inlined
-def rubbed(
+def friction_force(
     law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
     """The force of all springs together [N], their energy, and the energy dissipated by slip [J].
@@ -67,7 +67,7 @@ def rubbed(
     """
     shear, mu = law.friction  # type: ignore[misc]  # it always rubs
     overlap, before = touch.overlap, max(touch.overlap + touch.opened, 0.0)
-    apart = laid(law, touch, radius, mass, kept, row)
+    apart = spring_spacing(law, touch, radius, mass, kept, row)
     most, edge = 0.25 * mu * law.modulus / shear, math.sqrt(overlap)
     m, relative = touch.midway, touch.relative
     slide = add_scaled(NOWHERE, dt, add_scaled(relative, -dot(m, relative), m))
@@ -78,10 +78,10 @@ def rubbed(
         depth = apart * k * apart * k
         share = 1.0 if depth <= before else (overlap - depth) / (overlap - before)
         old = NOWHERE if depth > before else stretch(kept, row, k)
-        old, moved = brought(old, slide, touch)
-        new = cut(add_scaled(old, share, moved), most * (overlap - depth))
-        hold(kept, row, k, new)
-        weight = stiff * weight_of(k, last, apart, edge)
+        old, moved = rotated_with_plane(old, slide, touch)
+        new = limited(add_scaled(old, share, moved), most * (overlap - depth))
+        store_stretch(kept, row, k, new)
+        weight = stiff * spring_weight(k, last, apart, edge)
         force = add_scaled(force, -weight, new)
         held += 0.5 * weight * dot(new, new)
         slipped = add_scaled(moved, -1.0, add_scaled(new, -1.0, old))
@@ -90,7 +90,9 @@ def rubbed(
 
 
 @inlined
-def laid(law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector, row: int) -> float:
+def spring_spacing(
+    law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector, row: int
+) -> float:
     """The spacing of the springs [m^0.5] in s = x/sqrt(R); a new contact gets new springs.
 
     They cover the contact radius that the kinetic energy of the approach can cause. If a contact
@@ -102,11 +104,11 @@ def laid(law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector,
         deep = (math.sqrt(overlap) ** 5 + mass * touch.rates[1] ** 2 / held) ** 0.4
         kept[row, 3] = ROOM * math.sqrt(deep) / (SPRINGS - 1)
         for k in range(SPRINGS):
-            hold(kept, row, k, NOWHERE)
+            store_stretch(kept, row, k, NOWHERE)
     while kept[row, 3] * (SPRINGS - 1) < math.sqrt(overlap):
         kept[row, 3] *= 2.0
         for k in range(SPRINGS):
-            hold(kept, row, k, stretch(kept, row, 2 * k) if 2 * k < SPRINGS else NOWHERE)
+            store_stretch(kept, row, k, stretch(kept, row, 2 * k) if 2 * k < SPRINGS else NOWHERE)
     return float(kept[row, 3])
 
 
@@ -118,30 +120,32 @@ def stretch(kept: Vector, row: int, k: int) -> Triple:
 
 
 @inlined
-def hold(kept: Vector, row: int, k: int, a: Triple) -> None:
+def store_stretch(kept: Vector, row: int, k: int, a: Triple) -> None:
     """Store the stretch of spring k [m]."""
     c = FIRST + 3 * k
     kept[row, c], kept[row, c + 1], kept[row, c + 2] = a
 
 
 @inlined
-def brought(old: Triple, slide: Triple, touch: Touch) -> tuple[Triple, Triple]:
+def rotated_with_plane(old: Triple, slide: Triple, touch: Touch) -> tuple[Triple, Triple]:
     """The old stretch rotated with the contact plane, and the slide in the new plane."""
     n, n_before = touch.n, touch.n_before
     tilt = -dot(n, old) / (1.0 + dot(n, n_before))
-    old, slide = twisted(add_scaled(old, tilt, add_scaled(n, 1.0, n_before)), slide, n, touch.twist)
+    old, slide = twist_both(
+        add_scaled(old, tilt, add_scaled(n, 1.0, n_before)), slide, n, touch.twist
+    )
     return old, add_scaled(slide, -dot(n, slide), n)
 
 
 @inlined
-def cut(trial: Triple, most: float) -> Triple:
+def limited(trial: Triple, most: float) -> Triple:
     """The trial stretch, limited to the length `most` [m] that friction allows."""
     size = math.sqrt(dot(trial, trial))
     return trial if size <= most else add_scaled(NOWHERE, most / size, trial)
 
 
 @inlined
-def weight_of(k: int, last: int, apart: float, edge: float) -> float:
+def spring_weight(k: int, last: int, apart: float, edge: float) -> float:
     """The integral over s [m^0.5] of the shape function of spring k.
 
     This is 1 at spring k, 0 at its neighbours and at the edge, and linear in s^2 between them.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from vv.engines.dem.contact.law import Law, pressed, rubbed, turning
+from vv.engines.dem.contact.law import Law, friction_force, normal_force, spheres_rotate
 from vv.engines.dem.contact.touch import Touch, reduced_mass
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
@@ -18,7 +18,7 @@ Pairs = tuple[Index, Vector, Vector, Vector]
 
 
 @inlined
-def emptied(kept: Vector) -> None:
+def clear_rows(kept: Vector) -> None:
     """Set the stored numbers (k, columns) of all contacts to zero."""
     for k in range(len(kept)):
         for c in range(kept.shape[1]):
@@ -26,7 +26,7 @@ def emptied(kept: Vector) -> None:
 
 
 @inlined
-def apart(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
+def pair_overlap(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
     """The overlap of pair p [m], the vector between the centres, and its length; u: displacements.
 
     The gap is its value at t = 0 plus a change that is computed without cancellation, so that its
@@ -43,7 +43,7 @@ def apart(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
 
 
 @inlined
-def last_step(
+def normals_in_step(
     d: Triple, length: float, relative: Triple, dt: float
 ) -> tuple[Triple, Triple, float]:
     """The normals at the beginning and in the middle of a step, and how much the gap grew [m]."""
@@ -56,7 +56,7 @@ def last_step(
 
 
 @inlined
-def touch_of(
+def pair_touch(
     motion: Motion,
     w: Vector | None,
     spun: Vector | None,
@@ -67,12 +67,12 @@ def touch_of(
     n: Triple,
     dt: float,
 ) -> Touch:
-    """The kinematics of the closed pair p in a step; now: see `apart`; n: the normal at its end."""
+    """The kinematics of closed pair p in a step; now: see `pair_overlap`; n: normal at its end."""
     (overlap, d, length), v, before = now, motion.v, motion.before
     i, j = pairs[0][p, 0], pairs[0][p, 1]
     relative = add_scaled(at(v, j), -1.0, at(v, i))
     changed = add_scaled(relative, -1.0, add_scaled(at(before, j), -1.0, at(before, i)))
-    n_before, m, opened = last_step(d, length, relative, dt)
+    n_before, m, opened = normals_in_step(d, length, relative, dt)
     rates = (
         dot(n_before, add_scaled(relative, -0.5, changed)),
         dot(n, add_scaled(relative, 0.5, changed)),
@@ -94,7 +94,7 @@ def touch_of(
 
 
 @inlined
-def turn_pair(
+def add_pair_torques(
     turn: Vector | None,
     turns: bool,
     pairs: Pairs,
@@ -127,13 +127,13 @@ def pair_forces(
     step to step, the tangential force on the second sphere [N] first.
     """
     if asked is not None and law.friction[1] == 0.0:
-        return each_pair(motion, mass, dt, pairs, law, None, False, shear)
-    turns = turning(motion.turn, asked)
-    return each_pair(motion, mass, dt, pairs, law, law.friction, turns, shear)
+        return add_pair_forces(motion, mass, dt, pairs, law, None, False, shear)
+    turns = spheres_rotate(motion.turn, asked)
+    return add_pair_forces(motion, mass, dt, pairs, law, law.friction, turns, shear)
 
 
 @inlined
-def each_pair(
+def add_pair_forces(
     motion: Motion,
     mass: Vector,
     dt: float,
@@ -148,7 +148,7 @@ def each_pair(
     push, normal, sprung, lost = motion.push, 0.0, 0.0, 0.0
     for p in range(len(rows)):
         i, j = rows[p, 0], rows[p, 1]
-        now = apart(motion.u, pairs, p)
+        now = pair_overlap(motion.u, pairs, p)
         overlap, d, length = now
         if overlap <= 0.0:
             if friction is not None:
@@ -156,18 +156,18 @@ def each_pair(
             continue
         n = add_scaled(NOWHERE, 1.0 / length, d)
         reduced = radius[p, 0] * radius[p, 1] / (radius[p, 0] + radius[p, 1])
-        along, held = pressed(law, overlap, reduced)
+        along, held = normal_force(law, overlap, reduced)
         force = add_scaled(NOWHERE, along, n)
         normal += held
         if friction is not None:
-            touch = touch_of(motion, motion.w, motion.spun, turns, pairs, p, now, n, dt)
+            touch = pair_touch(motion, motion.w, motion.spun, turns, pairs, p, now, n, dt)
             both = reduced_mass(mass, i, j)
-            across, charged, taken = rubbed(law, touch, reduced, both, shear, p, dt)
+            across, charged, taken = friction_force(law, touch, reduced, both, shear, p, dt)
             lost += taken
             sprung += charged
             put(shear, p, across)
             force = add_scaled(force, 1.0, across)
-            turn_pair(motion.turn, turns, pairs, p, overlap, n, across)
+            add_pair_torques(motion.turn, turns, pairs, p, overlap, n, across)
         put(push, i, add_scaled(at(push, i), -1.0, force))
         put(push, j, add_scaled(at(push, j), 1.0, force))
     return normal, sprung, lost

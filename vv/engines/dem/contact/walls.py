@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from vv.engines.dem.contact.law import Law, pressed, rubbed, turning
-from vv.engines.dem.contact.pairs import emptied
+from vv.engines.dem.contact.law import Law, friction_force, normal_force, spheres_rotate
+from vv.engines.dem.contact.pairs import clear_rows
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
@@ -18,30 +18,30 @@ Moving = tuple[Index, Vector]
 
 
 @inlined
-def stilled(moving: Moving | None) -> None:
+def clear_wall_forces(moving: Moving | None) -> None:
     """Set the stored forces of moving walls to zero, if there are any."""
     if moving is not None:
-        emptied(moving[1])
+        clear_rows(moving[1])
 
 
 @inlined
-def off_wall(u: Vector, walls: Walls, q: int) -> float:
+def overlap_at_rest(u: Vector, walls: Walls, q: int) -> float:
     """The overlap [m] of a sphere with a wall, without the wall's displacement."""
     rows, facing, gap, _ = walls
     return float(-gap[q] - dot(at(facing, q), at(u, rows[q])))
 
 
 @inlined
-def into_wall(u: Vector, walls: Walls, moving: Moving | None, q: int) -> float:
+def wall_overlap(u: Vector, walls: Walls, moving: Moving | None, q: int) -> float:
     """The overlap [m] of a sphere with a wall at its present position."""
-    overlap = off_wall(u, walls, q)
+    overlap = overlap_at_rest(u, walls, q)
     if moving is not None:
         overlap += dot(at(walls[1], q), at(u, moving[0][q]))
     return overlap
 
 
 @inlined
-def carried(v: Vector, moving: Moving | None, q: int, dt: float) -> float:
+def wall_work(v: Vector, moving: Moving | None, q: int, dt: float) -> float:
     """The work [J] of a moving wall in half a step by its stored force; zero if no wall moves."""
     if moving is None:
         return 0.0
@@ -50,14 +50,14 @@ def carried(v: Vector, moving: Moving | None, q: int, dt: float) -> float:
 
 
 @inlined
-def keep(moving: Moving | None, q: int, force: Triple) -> None:
+def store_wall_force(moving: Moving | None, q: int, force: Triple) -> None:
     """Store the force of a wall on a sphere, if walls move."""
     if moving is not None:
         put(moving[1], q, force)
 
 
 @inlined
-def past(motion: Motion, i: int, moving: Moving | None, q: int) -> tuple[Triple, Triple]:
+def relative_motion(motion: Motion, i: int, moving: Moving | None, q: int) -> tuple[Triple, Triple]:
     """The velocity of sphere i relative to a wall [m/s], and its change since the last step."""
     v, before = motion.v, motion.before
     relative = at(v, i)
@@ -71,7 +71,7 @@ def past(motion: Motion, i: int, moving: Moving | None, q: int) -> tuple[Triple,
 
 
 @inlined
-def touch_of(
+def wall_touch(
     motion: Motion,
     w: Vector | None,
     spun: Vector | None,
@@ -84,7 +84,7 @@ def touch_of(
 ) -> Touch:
     """The kinematics of the closed contact q of a sphere with a wall in a step."""
     i, n, radius = walls[0][q], at(walls[1], q), walls[3][q]
-    relative, changed = past(motion, i, moving, q)
+    relative, changed = relative_motion(motion, i, moving, q)
     opened, more = dt * dot(n, relative), 0.5 * dot(n, changed)
     rates = dot(n, relative) - more, dot(n, relative) + more
     if w is not None and spun is not None:
@@ -100,7 +100,7 @@ def touch_of(
 
 
 @inlined
-def turn_sphere(
+def add_wall_torque(
     turn: Vector | None, turns: bool, walls: Walls, q: int, overlap: float, across: Triple
 ) -> None:
     """Add the torque of the tangential force at a wall, if spheres rotate."""
@@ -126,13 +126,13 @@ def wall_forces(
     step to step, the tangential force on the sphere [N] first; moving: None if no wall moves.
     """
     if asked is not None and law.friction[1] == 0.0:
-        return each_wall(motion, mass, dt, walls, law, None, False, shear, moving)
-    turns = turning(motion.turn, asked)
-    return each_wall(motion, mass, dt, walls, law, law.friction, turns, shear, moving)
+        return add_wall_forces(motion, mass, dt, walls, law, None, False, shear, moving)
+    turns = spheres_rotate(motion.turn, asked)
+    return add_wall_forces(motion, mass, dt, walls, law, law.friction, turns, shear, moving)
 
 
 @inlined
-def each_wall(
+def add_wall_forces(
     motion: Motion,
     mass: Vector,
     dt: float,
@@ -148,25 +148,25 @@ def each_wall(
     push, normal, sprung, lost, work = motion.push, 0.0, 0.0, 0.0, 0.0
     for q in range(len(rows)):
         i, n = rows[q], at(facing, q)
-        overlap = into_wall(motion.u, walls, moving, q)
-        work += carried(motion.v, moving, q, dt)
-        keep(moving, q, NOWHERE)
+        overlap = wall_overlap(motion.u, walls, moving, q)
+        work += wall_work(motion.v, moving, q, dt)
+        store_wall_force(moving, q, NOWHERE)
         if overlap <= 0.0:
             if friction is not None:
                 put(shear, q, NOWHERE)
             continue
-        along, held = pressed(law, overlap, radius[q])
+        along, held = normal_force(law, overlap, radius[q])
         force = add_scaled(NOWHERE, along, n)
         normal += held
         if friction is not None:
-            touch = touch_of(motion, motion.w, motion.spun, turns, walls, moving, q, overlap, dt)
-            across, charged, taken = rubbed(law, touch, radius[q], mass[i], shear, q, dt)
+            touch = wall_touch(motion, motion.w, motion.spun, turns, walls, moving, q, overlap, dt)
+            across, charged, taken = friction_force(law, touch, radius[q], mass[i], shear, q, dt)
             lost += taken
             sprung += charged
             put(shear, q, across)
             force = add_scaled(force, 1.0, across)
-            turn_sphere(motion.turn, turns, walls, q, overlap, across)
-        keep(moving, q, force)
-        work += carried(motion.v, moving, q, dt)
+            add_wall_torque(motion.turn, turns, walls, q, overlap, across)
+        store_wall_force(moving, q, force)
+        work += wall_work(motion.v, moving, q, dt)
         put(push, i, add_scaled(at(push, i), 1.0, force))
     return normal, sprung, lost, work

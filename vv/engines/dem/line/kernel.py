@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from vv.engines.dem.contact.linear import late
+from vv.engines.dem.contact.linear import closing_factor
 from vv.engines.dem.limits import BLOW_UP, GAIN
 from vv.engines.kernels.compiled import compiled, inlined
 from vv.scene import Vector
 
 
 @inlined
-def held_back(
+def viscous_kick(
     before: float,
     after: float,
     load: float,
@@ -89,7 +89,7 @@ def move_on_line(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
     before = start - back * dt / mass * (load - slow)
     after = decay * before + kick * load
     if eta_n is not None and overlap > 0.0:
-        after, slowed = held_back(before, after, load, kn * overlap, eta_n, eta, mass, dt, lag)
+        after, slowed = viscous_kick(before, after, load, kn * overlap, eta_n, eta, mass, dt, lag)
         ahead = slowed * after
     if eta is not None:
         ahead += eta * (lag * before + (1.0 - lag) * after) * after
@@ -121,8 +121,8 @@ def move_on_line(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
             if eta_n is not None and overlap > 0.0:
                 share = 1.0
                 if was_open:
-                    share = late(overlap, -dt * before)
-                after, drag = held_back(
+                    share = closing_factor(overlap, -dt * before)
+                after, drag = viscous_kick(
                     before, after, load, kn * overlap, share * eta_n, eta, mass, dt, lag
                 )
             if eta is not None:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from vv.engines.dem.terms.drag import Drag, drawn
+from vv.engines.dem.terms.drag import Drag, add_steady
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
 
 @inlined
-def held(a: Triple, hold: Vector | None, i: int) -> Triple:
+def free_part(a: Triple, hold: Vector | None, i: int) -> Triple:
     """The part of vector a in the free directions of body i; hold: as in `Bodies`, or None."""
     if hold is None:
         return a
@@ -39,9 +39,9 @@ def place(
     kinetic = 0.0
     for i in range(len(mass)):
         start = at(velocity, i)
-        rate = held(at(force, i), hold, i)
+        rate = free_part(at(force, i), hold, i)
         if drag is not None:
-            rate = drawn(add_scaled(rate, -drag.eta, start), drag.eta, drag.steady, i)
+            rate = add_steady(add_scaled(rate, -drag.eta, start), drag.eta, drag.steady, i)
         put(v, i, add_scaled(start, -time / mass[i], rate))
         kinetic += 0.5 * mass[i] * dot(start, start)
     return kinetic
@@ -65,15 +65,15 @@ def kick(
     `slowed`, plus D v- and D v+ of the drag D = eta (lag v- + (1 - lag) v+).
     """
     if drag is None:
-        coast(v, before, force, mass, hold, dt)
+        kick_free(v, before, force, mass, hold, dt)
         return slowed
     if drag.eta == 0.0:
-        coast(v, before, force, mass, hold, dt)
+        kick_free(v, before, force, mass, hold, dt)
         return slowed
     behind, ahead = slowed
     for i in range(len(mass)):
-        old, push = at(v, i), held(at(force, i), hold, i)
-        new = carried_on(old, push, mass[i], dt, drag, lag, i)
+        old, push = at(v, i), free_part(at(force, i), hold, i)
+        new = next_velocity(old, push, mass[i], dt, drag, lag, i)
         loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
         behind += dot(loss, old)
         ahead += dot(loss, new)
@@ -83,16 +83,18 @@ def kick(
 
 
 @inlined
-def coast(v: Vector, before: Vector, force: Vector, mass: Vector, hold: Vector, dt: float) -> None:
+def kick_free(
+    v: Vector, before: Vector, force: Vector, mass: Vector, hold: Vector, dt: float
+) -> None:
     """As `kick`, without drag; also used for spins, with moments of inertia for masses."""
     for i in range(len(mass)):
         old = at(v, i)
         put(before, i, old)
-        put(v, i, add_scaled(old, dt / mass[i], held(at(force, i), hold, i)))
+        put(v, i, add_scaled(old, dt / mass[i], free_part(at(force, i), hold, i)))
 
 
 @inlined
-def carried_on(
+def next_velocity(
     old: Triple, push: Triple, mass: float, dt: float, drag: Drag | None, lag: float, i: int
 ) -> Triple:
     """The velocity of body i half a step after the present time, from that half a step before."""
@@ -103,4 +105,4 @@ def carried_on(
     rate = drag.eta * dt / mass
     share = 1.0 / (1.0 + (1.0 - lag) * rate)
     kept = add_scaled(NOWHERE, share * (1.0 - lag * rate), old)
-    return add_scaled(drawn(kept, share * rate, drag.steady, i), share * dt / mass, push)
+    return add_scaled(add_steady(kept, share * rate, drag.steady, i), share * dt / mass, push)

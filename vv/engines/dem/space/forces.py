@@ -18,14 +18,14 @@ def forces(
     """Set push and turn to all forces but viscous ones; return energies [J] as `hooks.force`."""
     for i in range(len(bodies.mass)):
         put(motion.push, i, field(terms, NOWHERE, bodies.mass[i], i))
-    no_torque(motion.turn)
+    clear_torques(motion.turn)
     normal, shear, lost, work = force(terms, bodies, motion, dt, slots, many)
     normal, shear = release(terms, (normal, shear), bodies, motion, dt, slots, many)
     return normal, shear, lost, work
 
 
 @inlined
-def slow(
+def add_viscous(
     terms: Terms, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index, lag: float
 ) -> tuple[float, float]:
     """Add the viscous forces to push; return their powers [W] as `hooks.viscous`."""
@@ -33,7 +33,7 @@ def slow(
 
 
 @inlined
-def no_torque(turn: Vector | None) -> None:
+def clear_torques(turn: Vector | None) -> None:
     """Set the torques on spheres to zero, if any rotates; the last row is that of the ground."""
     if turn is not None:
         for i in range(len(turn) - 1):

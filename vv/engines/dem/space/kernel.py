@@ -5,12 +5,23 @@ from __future__ import annotations
 from vv.engines.dem.limits import BLOW_UP, GAIN
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies
-from vv.engines.dem.space.forces import forces, slow
+from vv.engines.dem.space.forces import add_viscous, forces
 from vv.engines.dem.space.hooks import Terms, after, begin, move, start, withdraw
-from vv.engines.dem.space.neighbours import Near, gathered, no_slots, note_places, strayed
-from vv.engines.dem.space.output import booked, moving_energy, moving_energy_after, observe
-from vv.engines.dem.space.room import rest, room
-from vv.engines.dem.space.steps import drift, kick, place, place_spins, spin_on
+from vv.engines.dem.space.neighbours import (
+    Near,
+    moved_far,
+    no_slots,
+    search_pairs,
+    store_displacements,
+)
+from vv.engines.dem.space.output import (
+    kinetic_energy,
+    kinetic_energy_after,
+    observe,
+    write_energies,
+)
+from vv.engines.dem.space.room import allocate, zero_rows
+from vv.engines.dem.space.steps import drift, kick, kick_spins, place, place_spins
 from vv.engines.kernels.arrays import larger, zero_counts
 from vv.engines.kernels.compiled import compiled_to_branch
 from vv.scene import Vector
@@ -42,9 +53,9 @@ def move_in_space(
     `output.py`. The loop ends before a later row if energy was created (vv.engines.dem.limits). It
     is one function since the hooks must be called in one place, to be compiled once.
     """
-    bodies, motion = room(given)
+    bodies, motion = allocate(given)
     m = len(bodies.mass)
-    slots, many, since = no_slots(), zero_counts(1), rest(m)
+    slots, many, since = no_slots(), zero_counts(1), zero_rows(m)
     begin(terms, bodies, motion)
     put_in = ahead = slipped = dragged = moved = done = 0.0
     normal = sprung = 0.0
@@ -57,9 +68,9 @@ def move_in_space(
             if steps:
                 drift(motion, m, dt)
                 move(terms, bodies, motion, steps * dt, dt)
-            if near is not None and (steps == 0 or strayed(motion, since, near)):
-                note_places(since, motion.u)
-                slots = gathered(near, motion.u, slots, many)
+            if near is not None and (steps == 0 or moved_far(motion, since, near)):
+                store_displacements(since, motion.u)
+                slots = search_pairs(near, motion.u, slots, many)
             normal, sprung, lost, work = forces(terms, bodies, motion, dt, slots, many)
             if steps:
                 slipped += lost
@@ -69,7 +80,7 @@ def move_in_space(
             slowed = 0.0, 0.0
             for stage in range(START if steps == 0 else STEP, END):
                 span = 0.0 if stage == START else dt
-                slowed = slow(terms, bodies, motion, span, slots, many, lag)
+                slowed = add_viscous(terms, bodies, motion, span, slots, many, lag)
                 if stage == START or steps:
                     after(terms, bodies, motion, span)
                 if stage == START:
@@ -80,14 +91,14 @@ def move_in_space(
             behind, ahead = kick(terms, bodies, motion, dt, lag, slowed)
             if steps:
                 dragged += behind
-            spin_on(motion.w, motion.spun, motion.turn, bodies, dt)
+            kick_spins(motion.w, motion.spun, motion.turn, bodies, dt)
 
         observe(path, row, watched, terms, bodies, motion)
-        kinetic = moving_energy(bodies, motion)
+        kinetic = kinetic_energy(bodies, motion)
         held = kinetic, normal, sprung, slipped, 0.5 * dt * dragged
-        done = larger(done, booked(energy, row, terms, bodies, motion, held, moved))
+        done = larger(done, write_energies(energy, row, terms, bodies, motion, held, moved))
         most, total = put_in + done, kinetic + normal + sprung
-        fastest = moving_energy_after(bodies, motion)
+        fastest = kinetic_energy_after(bodies, motion)
         if row and not (total <= GAIN * most and fastest <= BLOW_UP * most):
             return row
     return len(path)

@@ -140,13 +140,13 @@ def _bodies(here: Placed, turns: bool) -> Bodies:
         spin=spin,
         mass=spheres.mass[moves],
         inertia=spheres.inertia[moves] if turns else np.zeros(0),
-        hold=_held(scene, free),
-        hold_spin=_held(scene, free_spin) if turns else np.zeros((0, 3, 3)),
+        hold=_projectors(scene, free),
+        hold_spin=_projectors(scene, free_spin) if turns else np.zeros((0, 3, 3)),
         walls=len(scene.walls) if here.walls_move else 0,
     )
 
 
-def _held(scene: Scene, free: Mask) -> Vector:
+def _projectors(scene: Scene, free: Mask) -> Vector:
     """Projectors on the free axes, as in `Bodies`."""
     found = projectors(scene.axes, free)
     return np.zeros((0, 3, 3)) if found is None else found

@@ -70,12 +70,12 @@ class Near(NamedTuple):
 @called
 def no_slots() -> Slots:
     """Slots without any pair."""
-    none, three = couples(0), rows(0)
+    none, three = integer_pairs(0), rows(0)
     return Slots(none, none, three, numbers(0), table(0, 2), three, table(0, MET))
 
 
 @called
-def couples(n: int) -> Index:
+def integer_pairs(n: int) -> Index:
     """An array for n pairs of integers."""
     return np.empty((n, 2), np.int64)
 
@@ -90,7 +90,7 @@ def repeated(n: int, value: int) -> Index:
 
 
 @inlined
-def strayed(motion: Motion, since: Vector, near: Near) -> bool:
+def moved_far(motion: Motion, since: Vector, near: Near) -> bool:
     """Whether a sphere has moved by over half the skin since its displacement `since` (m, 3)."""
     u, limit = motion.u, 0.25 * near.skin * near.skin
     for i in range(len(since)):
@@ -101,7 +101,7 @@ def strayed(motion: Motion, since: Vector, near: Near) -> bool:
 
 
 @inlined
-def note_places(since: Vector, u: Vector) -> None:
+def store_displacements(since: Vector, u: Vector) -> None:
     """Store the displacements of the first len(since) rows of u."""
     for i in range(len(since)):
         put(since, i, at(u, i))
@@ -144,7 +144,7 @@ def on_bond(i: int, j: int, start: Index, partner: Index, broken: State) -> bool
 
 
 @called
-def swept(near: Near, u: Vector) -> Index:
+def near_pairs(near: Near, u: Vector) -> Index:
     """The pairs (p, 2) of spheres i < j, sorted by i, whose gap is less than the skin.
 
     Left out are pairs joined by a bond, and pairs of spheres at rest, whose row is the last one.
@@ -156,11 +156,11 @@ def swept(near: Near, u: Vector) -> Index:
         put(place, i, add_scaled(at(position, i), 1.0, at(u, row[i])))
         ground, widest = larger(ground, row[i]), larger(widest, radius[i])
     count, cell, first, following = cells(place, 2.0 * widest + skin)
-    found, many = couples(8 * n), 0
+    found, many = integer_pairs(8 * n), 0
     for i in range(n):
-        for x in about(cell[3 * i], count[0]):
-            for y in about(cell[3 * i + 1], count[1]):
-                for z in about(cell[3 * i + 2], count[2]):
+        for x in neighbour_range(cell[3 * i], count[0]):
+            for y in neighbour_range(cell[3 * i + 1], count[1]):
+                for z in neighbour_range(cell[3 * i + 2], count[2]):
                     j = first[(x * count[1] + y) * count[2] + z]
                     while j >= 0:
                         if j > i and smaller(row[i], row[j]) < ground:
@@ -169,7 +169,7 @@ def swept(near: Near, u: Vector) -> Index:
                             close = dot(d, d) < reach * reach
                             if close and not on_bond(i, j, start, partner, broken):
                                 if many == len(found):
-                                    found = wider(found)
+                                    found = doubled(found)
                                 found[many, 0], found[many, 1] = i, j
                                 many += 1
                         j = following[j]
@@ -177,31 +177,31 @@ def swept(near: Near, u: Vector) -> Index:
 
 
 @inlined
-def about(cell: int, count: int) -> range:
+def neighbour_range(cell: int, count: int) -> range:
     """The indices of a cell and its two neighbours along an axis with `count` cells."""
     return range(larger(0, cell - 1), smaller(count, cell + 2))
 
 
 @called
-def wider(found: Index) -> Index:
+def doubled(found: Index) -> Index:
     """A copy of the pairs with twice the length; a slice would compile numba's error messages."""
-    more = couples(2 * len(found))
+    more = integer_pairs(2 * len(found))
     for k in range(len(found)):
         more[k, 0], more[k, 1] = found[k, 0], found[k, 1]
     return more
 
 
 @called
-def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
+def search_pairs(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
     """The unbonded pairs near each other, with as many spare slots as there are bonds.
 
     old: the slots before, of which the first many[0] are in use. many[0] is set to how many of the
     new slots are in use. Stored numbers of pairs in both are copied.
     """
     position, radius, row = near[0], near[1], near[2]
-    pairs = swept(near, u)
+    pairs = near_pairs(near, u)
     used, room = len(pairs), len(pairs) + len(near[5])
-    both, held, radii = couples(room), couples(room), table(room, 2)
+    both, held, radii = integer_pairs(room), integer_pairs(room), table(room, 2)
     offset, gap, shear = zero_rows(room), zero_numbers(room), zero_rows(room)
     met = table(room if near.viscous else 0, MET)
     for k in range(len(met)):

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from vv.engines.dem.rows import Index
-from vv.engines.dem.space.advance import held
+from vv.engines.dem.space.advance import free_part
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.hooks import Terms, book, resistance
 from vv.engines.dem.space.ledger import column
-from vv.engines.dem.terms.drag import Drag, drawn
+from vv.engines.dem.terms.drag import Drag, add_steady
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import Triple, add_scaled, at, dot
 from vv.scene import Form, Vector
@@ -50,15 +50,15 @@ def observe_lock(
 ) -> None:
     """Fill in the force [N] of the locks of body i, if any body is locked."""
     if len(hold):
-        force = add_scaled(held(push, hold, i), -1.0, push)
+        force = add_scaled(free_part(push, hold, i), -1.0, push)
         if drag is not None:
-            force = drawn(force, drag.eta, drag.steady, i)
+            force = add_steady(force, drag.eta, drag.steady, i)
         for c in range(3):
             path[row, k, path.shape[2] - 3 + c] = force[c]
 
 
 @inlined
-def booked(
+def write_energies(
     energy: Vector,
     row: int,
     terms: Terms,
@@ -80,27 +80,27 @@ def booked(
 
 
 @inlined
-def moving_energy(bodies: Bodies, motion: Motion) -> float:
+def kinetic_energy(bodies: Bodies, motion: Motion) -> float:
     """The kinetic energy as m v- v+/2 and I w- w+/2 [J]."""
-    fast = moving(bodies.mass, motion.before, motion.v)
-    return fast + turning(bodies.inertia, motion.spun, motion.w)
+    fast = kinetic_sum(bodies.mass, motion.before, motion.v)
+    return fast + rotational_energy(bodies.inertia, motion.spun, motion.w)
 
 
 @inlined
-def moving_energy_after(bodies: Bodies, motion: Motion) -> float:
+def kinetic_energy_after(bodies: Bodies, motion: Motion) -> float:
     """The kinetic energy after the kick, m v+^2/2 and I w+^2/2 [J]."""
-    fast = moving(bodies.mass, motion.v, motion.v)
-    return fast + turning(bodies.inertia, motion.w, motion.w)
+    fast = kinetic_sum(bodies.mass, motion.v, motion.v)
+    return fast + rotational_energy(bodies.inertia, motion.w, motion.w)
 
 
 @inlined
-def turning(inertia: Vector, w: Vector | None, other: Vector | None) -> float:
-    """As `moving`, for spins; zero if no sphere rotates."""
-    return 0.0 if w is None or other is None else moving(inertia, w, other)
+def rotational_energy(inertia: Vector, w: Vector | None, other: Vector | None) -> float:
+    """As `kinetic_sum`, for spins; zero if no sphere rotates."""
+    return 0.0 if w is None or other is None else kinetic_sum(inertia, w, other)
 
 
 @inlined
-def moving(mass: Vector, v: Vector, other: Vector) -> float:
+def kinetic_sum(mass: Vector, v: Vector, other: Vector) -> float:
     """The sum of m v v'/2 [J] over all bodies."""
     fast = 0.0
     for i in range(len(mass)):

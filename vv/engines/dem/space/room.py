@@ -16,7 +16,7 @@ from vv.scene import Vector
 
 
 @inlined_called
-def room(given: Bodies) -> tuple[Bodies, Motion]:
+def allocate(given: Bodies) -> tuple[Bodies, Motion]:
     """The bodies with copied projectors, and arrays for their motion, all zero."""
     m = len(given.mass)
     hold, hold_spin = copied(given.hold), copied(given.hold_spin)
@@ -24,12 +24,14 @@ def room(given: Bodies) -> tuple[Bodies, Motion]:
         given.velocity, given.spin, given.mass, given.inertia, hold, hold_spin, given.walls
     )
     rows = m + 1 + given.walls
-    w, spun, turn = spins(given.spin, m + 1)
-    return bodies, Motion(rest(rows), rest(rows), rest(rows), rest(m + 1), w, spun, turn)
+    w, spun, turn = allocate_spins(given.spin, m + 1)
+    return bodies, Motion(
+        zero_rows(rows), zero_rows(rows), zero_rows(rows), zero_rows(m + 1), w, spun, turn
+    )
 
 
 @inlined_called
-def rest(rows: int) -> Vector:
+def zero_rows(rows: int) -> Vector:
     """An array of zeros (rows, 3)."""
     made = np.empty((rows, 3))
     for i in range(rows):
@@ -48,18 +50,18 @@ def copied(hold: Vector) -> Vector:
     return made
 
 
-def spins(spin: Any, rows: int) -> Any:
+def allocate_spins(spin: Any, rows: int) -> Any:
     """Arrays (rows, 3) for spins, the previous spins and torques, as in `Motion`."""
 
 
-@overload(spins, jit_options=OPTIONS | COUNTED, strict=False)
+@overload(allocate_spins, jit_options=OPTIONS | COUNTED, strict=False)
 def typed_spins(spin: Any, rows: Any) -> Any:
-    """The implementation of `spins` that numba compiles."""
+    """The implementation of `allocate_spins` that numba compiles."""
     if isinstance(spin, types.NoneType):
         return lambda spin, rows: (None, None, None)
 
     def made(spin: Any, rows: Any) -> Any:
         turning = rows if len(spin) else 0
-        return rest(turning), rest(turning), rest(turning)
+        return zero_rows(turning), zero_rows(turning), zero_rows(turning)
 
     return made

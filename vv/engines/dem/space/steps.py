@@ -49,9 +49,9 @@ def kick(
 
 
 @inlined
-def spin_on(
+def kick_spins(
     w: Vector | None, spun: Vector | None, turn: Vector | None, bodies: Bodies, dt: float
 ) -> None:
     """As `kick`, for spins, if any sphere rotates."""
     if w is not None and spun is not None and turn is not None:
-        advance.coast(w, spun, turn, bodies.inertia, bodies.hold_spin, dt)
+        advance.kick_free(w, spun, turn, bodies.inertia, bodies.hold_spin, dt)

@@ -132,12 +132,12 @@ def breaking(
 @inlined
 def book(term: Bonds, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
     """Write the energies lost with broken bonds since t = 0 [J]."""
-    enter(energy, row, term.torn, term.frail)
+    write_losses(energy, row, term.torn, term.frail)
     return (0.0,)
 
 
 @inlined
-def enter(energy: Vector, row: int, torn: Vector, frail: Frail | None) -> None:
+def write_losses(energy: Vector, row: int, torn: Vector, frail: Frail | None) -> None:
     """Fill the columns of broken bonds, which exist only if bonds may break."""
     if frail is not None:
         energy[row, NORMAL], energy[row, SHEAR] = torn[0], torn[1]

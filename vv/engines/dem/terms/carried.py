@@ -48,12 +48,12 @@ def begin(term: Carried, bodies: Bodies, motion: Motion) -> None:
 def after(term: Carried, bodies: Bodies, motion: Motion, dt: float) -> None:
     """Add the work of the step, by the trapezoidal rule."""
     term.kept[WORK] += 0.5 * dt * term.kept[POWER]
-    term.kept[POWER] = upheld(motion.push, term.steady, term.eta)
+    term.kept[POWER] = carrying_power(motion.push, term.steady, term.eta)
     term.kept[WORK] += 0.5 * dt * term.kept[POWER]
 
 
 @inlined
-def upheld(push: Vector, steady: Vector, eta: float) -> float:
+def carrying_power(push: Vector, steady: Vector, eta: float) -> float:
     """The power [W] that keeps bodies at their steady velocities (m, 3) against push [N]."""
     power = 0.0
     for i in range(len(steady)):

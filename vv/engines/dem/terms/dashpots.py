@@ -63,7 +63,7 @@ def build(placed: Placed) -> Dashpots | None:
     if not scene.contact.viscous or (pairs is None and walls is None and placed.near is None):
         return None
     ends = [np.zeros((0, 2), np.intp)] if pairs is None else [pairs[0]]
-    moving = wall_contacts.moved(placed)
+    moving = wall_contacts.wall_rows(placed)
     if walls is not None:  # the wall is the first body, in a row of its own or the ground's
         first = np.full_like(walls[0], m) if moving is None else moving[0]
         ends.append(np.stack([first, walls[0]], axis=1))

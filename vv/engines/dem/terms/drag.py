@@ -38,7 +38,7 @@ def resistance(term: Drag) -> Drag:
 
 
 @inlined
-def drawn(a: Triple, scale: float, steady: Vector | None, i: int) -> Triple:
+def add_steady(a: Triple, scale: float, steady: Vector | None, i: int) -> Triple:
     """a + scale times the steady velocity of body i."""
     if steady is None:
         return a

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.dem.rows import Index
-from vv.engines.dem.space.advance import held
+from vv.engines.dem.space.advance import free_part
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.neighbours import Slots
 from vv.engines.dem.space.placed import Placed
@@ -74,7 +74,9 @@ def viscous(
     behind = ahead = 0.0
     for i in range(len(bodies.mass)):
         old = at(motion.v, i)
-        kick = add_scaled(NOWHERE, dt / bodies.mass[i], held(at(motion.push, i), bodies.hold, i))
+        kick = add_scaled(
+            NOWHERE, dt / bodies.mass[i], free_part(at(motion.push, i), bodies.hold, i)
+        )
         new, force = old, NOWHERE
         for _ in range(ROUNDS):
             mean = add_scaled(add_scaled(NOWHERE, lag, old), 1.0 - lag, new)

@@ -49,11 +49,11 @@ def start(term: MovingWalls, bodies: Bodies, motion: Motion, dt: float) -> None:
 def move(term: MovingWalls, bodies: Bodies, motion: Motion, time: float, dt: float) -> None:
     """Move all walls by the step that ends at a time [s]; their rows follow that of the ground."""
     ground = len(bodies.mass)
-    carry(motion.u, motion.v, motion.before, ground + 1, term.drive, term.starts, time, dt)
+    move_walls(motion.u, motion.v, motion.before, ground + 1, term.drive, term.starts, time, dt)
 
 
 @called
-def carry(
+def move_walls(
     u: Vector,
     v: Vector,
     before: Vector,

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.contact.law import Law, rubs
+from vv.engines.dem.contact.law import Law, has_friction
 from vv.engines.dem.contact.pairs import pair_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
@@ -32,12 +32,12 @@ def build(placed: Placed) -> NearContacts | None:
 
 def models(term: NearContacts) -> frozenset[Term]:
     """The terms of the scene that this models."""
-    return STANDS_FOR if rubs(term.law) else frozenset({Term.SPHERE_CONTACT})
+    return STANDS_FOR if has_friction(term.law) else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: NearContacts) -> bool:
     """Whether the contacts may rotate spheres."""
-    return rubs(term.law)
+    return has_friction(term.law)
 
 
 def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.contact.law import Law, rubs
-from vv.engines.dem.contact.pairs import Pairs, emptied, pair_forces
+from vv.engines.dem.contact.law import Law, has_friction
+from vv.engines.dem.contact.pairs import Pairs, clear_rows, pair_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.neighbours import Slots
@@ -33,7 +33,9 @@ def build(placed: Placed) -> PairContacts | None:
     if pairs is None:
         return None
     law = placed.law
-    return PairContacts(pairs, law, np.zeros((len(pairs[0]) if rubs(law) else 0, law.columns)))
+    return PairContacts(
+        pairs, law, np.zeros((len(pairs[0]) if has_friction(law) else 0, law.columns))
+    )
 
 
 def listed(placed: Placed) -> Pairs | None:
@@ -52,12 +54,12 @@ def listed(placed: Placed) -> Pairs | None:
 
 def models(term: PairContacts) -> frozenset[Term]:
     """The terms of the scene that this models."""
-    return STANDS_FOR if rubs(term.law) else frozenset({Term.SPHERE_CONTACT})
+    return STANDS_FOR if has_friction(term.law) else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: PairContacts) -> bool:
     """Whether the contacts may rotate spheres."""
-    return rubs(term.law)
+    return has_friction(term.law)
 
 
 def springs(term: PairContacts, near: object) -> tuple[Springs, Mask]:
@@ -69,7 +71,7 @@ def springs(term: PairContacts, near: object) -> tuple[Springs, Mask]:
 @inlined
 def begin(term: PairContacts, bodies: Bodies, motion: Motion) -> None:
     """Set the tangential forces to zero."""
-    emptied(term.shear)
+    clear_rows(term.shear)
 
 
 @inlined

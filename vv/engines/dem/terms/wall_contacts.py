@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.contact.law import Law, rubs
-from vv.engines.dem.contact.pairs import emptied
-from vv.engines.dem.contact.walls import Moving, Walls, stilled, wall_forces
+from vv.engines.dem.contact.law import Law, has_friction
+from vv.engines.dem.contact.pairs import clear_rows
+from vv.engines.dem.contact.walls import Moving, Walls, clear_wall_forces, wall_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.neighbours import Slots
@@ -40,10 +40,10 @@ def build(placed: Placed) -> WallContacts | None:
     walls, charged, law = listed(placed), placed.charged, placed.law
     if walls is None:
         return None
-    moving, q = moved(placed), len(walls[0])
-    if charged is None or not (rubs(law) and charged.any()):
+    moving, q = wall_rows(placed), len(walls[0])
+    if charged is None or not (has_friction(law) and charged.any()):
         charged = np.zeros((0, 3))
-    shear = np.zeros((q if rubs(law) else 0, law.columns))
+    shear = np.zeros((q if has_friction(law) else 0, law.columns))
     return WallContacts(walls, law, moving, charged, shear)
 
 
@@ -60,7 +60,7 @@ def listed(placed: Placed) -> Walls | None:
     return np.tile(placed.row[moves], count), normals, gap, np.tile(radius, count)
 
 
-def moved(placed: Placed) -> Moving | None:
+def wall_rows(placed: Placed) -> Moving | None:
     """The rows of the walls in `listed`, and storage for their forces; None if no wall moves."""
     if not placed.walls_move:
         return None
@@ -71,12 +71,12 @@ def moved(placed: Placed) -> Moving | None:
 
 def models(term: WallContacts) -> frozenset[Term]:
     """The terms of the scene that this models."""
-    return STANDS_FOR if rubs(term.law) else frozenset({Term.WALL_CONTACT})
+    return STANDS_FOR if has_friction(term.law) else frozenset({Term.WALL_CONTACT})
 
 
 def turns(term: WallContacts) -> bool:
     """Whether the contacts may rotate spheres."""
-    return rubs(term.law)
+    return has_friction(term.law)
 
 
 def springs(term: WallContacts, near: object) -> tuple[Springs, Mask]:
@@ -88,13 +88,13 @@ def springs(term: WallContacts, near: object) -> tuple[Springs, Mask]:
 @inlined
 def begin(term: WallContacts, bodies: Bodies, motion: Motion) -> None:
     """Set the tangential forces to those at t = 0."""
-    emptied(term.shear)
-    charge(term.shear, term.charged)
-    stilled(term.moving)
+    clear_rows(term.shear)
+    set_initial_shear(term.shear, term.charged)
+    clear_wall_forces(term.moving)
 
 
 @inlined
-def charge(shear: Vector, charged: Vector) -> None:
+def set_initial_shear(shear: Vector, charged: Vector) -> None:
     """Set the stored tangential forces to those at t = 0."""
     for q in range(len(charged)):
         put(shear, q, at(charged, q))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from vv.engines.dem.bulk.batches import LOST, NORMAL, SPRUNG
 from vv.engines.dem.bulk.crowd import Crowd
 from vv.engines.dem.bulk.grains import BEFORE, RADIUS, SPUN, TURN, V, W, part, put_part
-from vv.engines.dem.contact.friction import rub
-from vv.engines.dem.contact.law import Law, across, pressed, stored
+from vv.engines.dem.contact.friction import shear_force
+from vv.engines.dem.contact.law import Law, normal_force, shear_energy, shear_stiffness
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
@@ -48,15 +48,19 @@ def lean(
             spring = at(shear, k) if touching[k] else NOWHERE
             touching[k] = overlap > 0.0
         if overlap > 0.0:
-            along, held = pressed(law, overlap, radius)
+            along, held = normal_force(law, overlap, radius)
             force = add_scaled(NOWHERE, along, n)
             sums[c, NORMAL] += held if with_energy else 0.0
             if friction is not None:
                 touch = wall_touch(row, i, n, overlap, dt)
-                ks, caps = across(law, touch, radius, 0.0, spring)  # laws here need no mass
-                rubbed, taken = rub(spring, touch, ks, caps, dt)
+                ks, caps = shear_stiffness(
+                    law, touch, radius, 0.0, spring
+                )  # laws here need no mass
+                rubbed, taken = shear_force(spring, touch, ks, caps, dt)
                 sums[c, LOST] += taken
-                sums[c, SPRUNG] += stored(law, overlap, radius, rubbed) if with_energy else 0.0
+                sums[c, SPRUNG] += (
+                    shear_energy(law, overlap, radius, rubbed) if with_energy else 0.0
+                )
                 put(shear, k, rubbed)
                 force = add_scaled(force, 1.0, rubbed)
                 torque = add_scaled(NOWHERE, radius - 0.5 * overlap, cross(rubbed, n))

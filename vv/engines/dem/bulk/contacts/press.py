@@ -39,9 +39,9 @@ from vv.engines.dem.bulk.contacts.fetch import (
 )
 from vv.engines.dem.bulk.contacts.slip import slip
 from vv.engines.dem.bulk.crowd import Crowd
-from vv.engines.dem.contact.friction import share_closed, slid, tried
-from vv.engines.dem.contact.law import Law, across, pressed, stored
-from vv.engines.dem.contact.pairs import last_step
+from vv.engines.dem.contact.friction import share_closed, slide_in_step, trial_force
+from vv.engines.dem.contact.law import Law, normal_force, shear_energy, shear_stiffness
+from vv.engines.dem.contact.pairs import normals_in_step
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import NOWHERE, add_scaled, cross, dot
@@ -88,7 +88,7 @@ def bounce(scratch: Vector, c: int, many: int, law: Law) -> None:
         first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
         length = math.sqrt(dot(d, d))
         overlap = first + second - length
-        along = pressed(law, overlap, first * second / (first + second))[0]
+        along = normal_force(law, overlap, first * second / (first + second))[0]
         scratch[c, ARMS * WIDE + q] = first - 0.5 * overlap
         note(scratch, c, FORCE, q, add_scaled(NOWHERE, along / length, d))
 
@@ -101,7 +101,7 @@ def stick(scratch: Vector, c: int, many: int, law: Law, viscous: float | None, d
         first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
         length = math.sqrt(dot(d, d))
         overlap, n = first + second - length, add_scaled(NOWHERE, 1.0 / length, d)
-        n_before, m, opened = last_step(d, length, relative, dt)
+        n_before, m, opened = normals_in_step(d, length, relative, dt)
         rates = 0.0, 0.0
         if viscous is not None:
             change = three(scratch, c, CHANGED, q)
@@ -115,9 +115,9 @@ def stick(scratch: Vector, c: int, many: int, law: Law, viscous: float | None, d
         twist = 0.5 * dt * dot(spins, m)
         touch = Touch(overlap, opened, n, n_before, m, rates, past, NOWHERE, twist)
         reduced, spring = first * second / (first + second), three(scratch, c, SPRING, q)
-        along = pressed(law, overlap, reduced)[0]
-        ks, caps = across(law, touch, reduced, 0.0, spring)  # laws here need no mass
-        old, slide, trial = tried(spring, touch, slid(touch, dt)[0], ks)
+        along = normal_force(law, overlap, reduced)[0]
+        ks, caps = shear_stiffness(law, touch, reduced, 0.0, spring)  # laws here need no mass
+        old, slide, trial = trial_force(spring, touch, slide_in_step(touch, dt)[0], ks)
         scratch[c, ALONG * WIDE + q] = along
         note(scratch, c, NORMALS, q, n)
         note(scratch, c, ACROSS, q, trial)
@@ -157,6 +157,6 @@ def sum_up(
             first * second / (first + second),
             2.0 * (first - scratch[c, ARMS * WIDE + q]),
         )
-        sums[c, NORMAL] += pressed(law, overlap, reduced)[1]
+        sums[c, NORMAL] += normal_force(law, overlap, reduced)[1]
         if friction is not None:
-            sums[c, SPRUNG] += stored(law, overlap, reduced, three(scratch, c, ACROSS, q))
+            sums[c, SPRUNG] += shear_energy(law, overlap, reduced, three(scratch, c, ACROSS, q))

@@ -25,7 +25,7 @@ from vv.engines.dem.bulk.contacts.fetch import (
     filled,
 )
 from vv.engines.dem.bulk.grains import SPUN, Short, W, part
-from vv.engines.dem.contact.friction import turned_by_slip, turns
+from vv.engines.dem.contact.friction import slip_force_with, slip_number
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, cross, dot
 from vv.scene import Vector
@@ -52,7 +52,7 @@ def slip(row: Vector, scratch: Vector, ends: Short, c: int, many: int) -> float:
         note(scratch, c, SLIDE, s, slide)
         scratch[c, STIFF * WIDE + s] = ks
         scratch[c, CAPS * WIDE + s], scratch[c, (CAPS + 1) * WIDE + s] = caps
-        x = turns(slide, ks, caps)
+        x = slip_number(slide, ks, caps)
         scratch[c, TURNS * WIDE + s], scratch[c, FADING * WIDE + s] = x, math.exp(-x)
     turn_all(scratch, c, filled(slipping))
     for s in range(slipping):
@@ -65,7 +65,7 @@ def slip(row: Vector, scratch: Vector, ends: Short, c: int, many: int) -> float:
 def turn_all(scratch: Vector, c: int, slipping: int) -> None:
     """Replace the trial forces of slipping contacts, and compute the dissipated energy."""
     for s in range(slipping):
-        force, taken = turned_by_slip(
+        force, taken = slip_force_with(
             three(scratch, c, OLD, s),
             three(scratch, c, TRIAL, s),
             three(scratch, c, SLIDE, s),
