@@ -1,4 +1,4 @@
-"""Claims about boxes that stand for walls: their upper face is the wall, wherever blocks go."""
+"""Claims about boxes that represent walls: their upper face is the wall, wherever blocks move."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ ALONG = np.array([True, False, True])
 
 
 def made(*bodies: object, **scene: object) -> Ask:
-    """A block of 2 m and 1 m by 1 m, 2000 kg, unless other bodies are given, for half a second."""
+    """The plan of a block of 2 x 1 x 1 m and 2000 kg, or of given bodies, for half a second."""
     given = bodies or (box("one", 0.5 * Z, [1.0, 0.5, 0.5]),)
     whole = Scene(given, Contact(np.inf), **{"gravity": -10.0 * Z, **scene})  # type: ignore[arg-type]
     return Ask(whole, History(0.5, 0.1), (Displacement(0),), Knobs(1e-2))

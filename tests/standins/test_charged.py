@@ -1,4 +1,4 @@
-"""Claims about the friction that springs hold as they start in the place of rigid contact."""
+"""Claims about the initial friction in springs that represent rigid contact."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vv.scene import Contact, Harmonic, Scene, Spheres, Wall
 from vv.standins.penalty_springs import friction_at_start
 
 AMPLITUDE, FREQUENCY, MASS, G = 0.01, 2.0, 3.0, 9.81
-START = AMPLITUDE * (2 * np.pi * FREQUENCY) ** 2  # m/s2, 1.58: how the wall begins
+START = AMPLITUDE * (2 * np.pi * FREQUENCY) ** 2  # m/s2, 1.58: initial acceleration of the wall
 
 
 @pytest.mark.parametrize(("mu", "carried"), [(0.9, START), (0.08, 0.08 * G)])

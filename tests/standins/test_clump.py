@@ -1,4 +1,4 @@
-"""Claims about blocks as clumps: the mass they keep, and the load their corners share."""
+"""Claims about clumps that represent blocks: their mass, and the shares of corners in the load."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def test_a_block_that_cannot_turn_presses_alike_on_all_corners() -> None:
 
 
 def leaning(angle: float) -> Scene:
-    """A block of sides 0.4, 0.6 and 1.2 m that rests on an edge, raised by an angle [rad]."""
+    """A block with sides of 0.4, 0.6 and 1.2 m that rests on an edge, raised by an angle [rad]."""
     flat = incline(0.0, 60.0, half=(0.2, 0.3, 0.6))
     c, s = np.cos(angle), np.sin(angle)
     block = rotated(flat, np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])).blocks[0]
@@ -216,7 +216,7 @@ def test_a_clump_says_what_it_is_made_of_and_of_how_many_it_is_the_first() -> No
 
 
 def slow(phi: float, v0: float, dt: float) -> Ask:
-    """A plate that may turn on a slope of 20 degrees, thrown down."""
+    """A plate with free rotation on a slope of 20 degrees, thrown down the slope."""
     scene = incline(20.0, phi, v0=v0, half=(0.5, 0.5, 0.1))
     return Ask(scene, History(1.0, 0.1), (Displacement(1),), Knobs(dt, KN))
 
@@ -238,7 +238,7 @@ def test_a_block_that_friction_stops_needs_a_step_that_its_springs_bear(
 
 
 def test_a_slide_must_be_long_beside_what_the_shared_springs_give() -> None:
-    """V^2/(2 a) is what friction stops it in; mu N/(25 kn) is what four corners give together."""
+    """Friction stops it within V^2/(2 a); the four corners together stretch by mu N/(25 kn)."""
     scene = incline(5.0, 30.0, v0=0.1, half=(0.5, 0.5, 0.1))
     (block,), tilt = scene.blocks, np.radians(5.0)
     weight, mu = block.mass * np.linalg.norm(scene.gravity), scene.contact.mu

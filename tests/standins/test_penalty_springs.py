@@ -1,4 +1,4 @@
-"""Springs and spheres in place of rigid contact and blocks: what they start with, by hand."""
+"""Claims about springs and spheres in place of rigid contact and blocks: their initial state."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ POSITIVE = st.lists(st.floats(0.1, 2.0), min_size=3, max_size=3).map(np.array)
 
 
 def cube(**given_block: Any) -> Block:
-    """Of a side of 1 m and 1000 kg, on a floor at 7 m."""
+    """A cube of 1 m and 1000 kg, on a floor at 7 m."""
     return box("one", 7.5 * Z, [0.5] * 3, **{"free_spin": HELD, **given_block})
 
 
 def ball(height: float = 0.0, **changes: Any) -> Spheres:
-    """Of 0.5 m and 2 kg, so high above the floor."""
+    """A ball of 0.5 m and 2 kg at a height above the floor."""
     one = Spheres((7.5 + height) * Z[None], np.zeros((1, 3)), np.array([0.5]), np.array([2.0]),
                   FREE[None])  # fmt: skip
     return dataclasses.replace(one, **changes)

@@ -1,4 +1,4 @@
-"""Claims about blocks on one wall that cannot meet: the bound on their ways, and refusals."""
+"""Claims about blocks on one wall that cannot meet: the bound on their travel, and refusals."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def asked(scene: Scene) -> Ask:
 
 
 def two(along: int, gap: float, **given_block: Any) -> Scene:
-    """Two cubes of 1 m on a slope of 30 degrees without friction, apart by a gap [m] on an axis."""
+    """Two cubes of 1 m on a slope of 30 degrees without friction, with a gap [m] along an axis."""
     scene = incline(30.0, 1e-6, half=(0.5, 0.5, 0.5), **given_block)
     first = scene.blocks[0]
     shift = (1.0 + gap) * scene.axes[along]
@@ -38,7 +38,7 @@ def test_blocks_that_slide_side_by_side_never_meet(gap: float) -> None:
 
 @given(st.floats(0.01, 3.0))
 def test_blocks_that_slide_in_line_meet_if_one_may_overtake_the_gap(gap: float) -> None:
-    """The first alone could come so far; each may, and so twice that is asked for."""
+    """One alone could close the gap; since each may move, twice that gap is required."""
     way = 0.5 * 9.81 * 0.5 * DURATION**2
     reason = why_not_apart(asked(two(0, gap, free_spin=HELD)))
     assert (reason is None) is (gap > 2 * way)
@@ -76,7 +76,7 @@ SPEEDS = np.array([0.05 * 4 * np.pi - 0.1, 0.2, 0.0])  # seen from the wall
 
 
 def bound(**given_block: Any) -> Any:
-    """How far a cube of 1 m and 1000 kg on a wall that moves may come in half a second."""
+    """The bound on the travel in half a second of a cube of 1 m and 1000 kg on a moving wall."""
     one = box("one", 0.5 * Z, [0.5] * 3, load=3000.0 * X, velocity=0.1 * X + 0.2 * Y,
               **given_block)  # fmt: skip
     law = Contact(np.inf)
@@ -93,7 +93,7 @@ def test_a_block_that_cannot_turn_comes_as_far_as_its_speed_and_pulls_take_it() 
 
 
 def test_a_block_that_turns_comes_as_far_anywhere_and_its_corners_farther() -> None:
-    """Of its inertia, m/6, by the energy of its spin too; corners are sqrt(3/4) m from it."""
+    """Its inertia is m/6 and its spin has energy too; corners are sqrt(3/4) m from the centroid."""
     start = np.sqrt(SPEEDS @ SPEEDS + 2.0**2 / 6)
     way = start * 0.5 + 0.5 * np.linalg.norm(PULLS) * 0.25
     farthest = way * (1.0 + np.sqrt(0.75) * np.sqrt(6.0))

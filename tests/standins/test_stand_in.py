@@ -1,4 +1,4 @@
-"""Which rigid scenes springs can stand in for, and what stands in for them."""
+"""Claims about rigid scenes that springs can represent, and about the scenes that do."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_springs_stand_in_for_what_rests_or_slides_on_one_wall(
 
 
 def test_blocks_that_may_meet_are_refused_and_blocks_far_apart_are_not() -> None:
-    """Each may come 1 m in the time that is asked for."""
+    """Each may move by 1 m within the duration of the ask."""
     one = cube(velocity=10.0 * X)
     for gap, meet in ((1.9, True), (2.1, False)):
         beside = dataclasses.replace(one, name="other", vertices=one.vertices + (1.0 + gap) * X)

@@ -28,7 +28,7 @@ def clumped(scene: Scene) -> Clump:
 
 
 def slender(psi: float, phi: float, delta: float, angle: float) -> Scene:
-    """A block of half a diagonal of 1 m on a slope psi, turned about the vertical."""
+    """A block with half a diagonal of 1 m on a slope psi, rotated about the vertical."""
     d = np.radians(delta)
     scene = incline(psi, phi, half=(np.sin(d), 0.5, np.cos(d)))
     return rotated(scene, rotation_about_z(angle))
@@ -60,7 +60,7 @@ def test_forces_lie_in_the_cone_and_are_alike_on_the_edge(
     assert (across <= mu * press * (1 + 1e-9) + 1e-9).all()
     low, high = np.sort(press[made.touching])
     assert low == pytest.approx(high, rel=1e-9)
-    # springs of a fourth of the stiffness each are pressed in by that
+    # overlap of springs with a fourth of the stiffness each
     wall = scene.walls[0]
     overlap = made.radius - (made.corners - wall.point) @ wall.normal
     assert overlap * 1e10 / 4 == pytest.approx(press, rel=1e-4, abs=1e-5 * press.max())

@@ -17,7 +17,7 @@ QUARTER = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # 90 d
 
 
 def touching(*bodies: Block | Wall, margin: float = 0.01) -> Any:
-    """The contacts of bodies where they are, as arrays cut to their number."""
+    """The contacts of bodies in their initial positions, as arrays of the right length."""
     from vv.engines.blocks.contacts import Contacts, detect_contacts
 
     scene = Scene(bodies, Contact(np.inf))
@@ -38,7 +38,7 @@ def touching(*bodies: Block | Wall, margin: float = 0.01) -> Any:
 
 
 def tetrahedron(tip: Vector) -> Block:
-    """A tetrahedron that stands on its tip, its base level above."""
+    """A tetrahedron that stands on its tip, with a horizontal base above."""
     base = np.array([[1.0, 0.0, 1.0], [-0.5, 0.8, 1.0], [-0.5, -0.8, 1.0]])
     vertices = np.vstack([tip, tip + base])
     faces = ((1, 2, 3), (0, 2, 1), (0, 3, 2), (0, 1, 3))

@@ -26,7 +26,7 @@ def asked(scene: Scene, time: float = 2e-6) -> Ask:
 
 
 def moved(run: Run) -> Vector:
-    """(times, spheres, 3) [m]; the ledger must close."""
+    """Displacements (times, spheres, 3) [m] of all spheres; the ledger must balance."""
     assert run.status is Status.RAN, run.reason
     assert run.ledger is not None
     assert run.ledger.bound is not None
@@ -39,7 +39,7 @@ def _values(run: Run) -> Vector:
 
 
 def linear(scene: Scene, times: Vector) -> Vector:
-    """(times, spheres, 3) [m] by the exponential of the whole matrix: an independent route."""
+    """Displacements (times, n, 3) [m] by the exponential of the whole matrix: a second route."""
     s, n = scene.spheres, 3 * len(scene.spheres)
     assert scene.bonds is not None
     K, pull = np.zeros((n, n)), np.zeros(n)
@@ -70,14 +70,14 @@ def linear(scene: Scene, times: Vector) -> Vector:
 
 
 def unlike() -> Spheres:
-    """The unit's elements with masses that differ, under a load."""
+    """The unit with different masses of its elements, under a load."""
     load = np.random.default_rng(2).normal(size=(4, 3))
     group = elements(free=BASE, load=load)
     return dataclasses.replace(group, mass=M * np.array([1.0, 2.0, 0.5, 1.5]))
 
 
 def pair(speed: float, length: float) -> Scene:
-    """Two unlike spheres, one heavy, that move along their oblique bond alone."""
+    """Two different spheres, one of them heavy, that move only along their oblique bond."""
     n = (CORNERS[1] - CORNERS[0]) / D
     group = dataclasses.replace(
         elements(CORNERS[:2], velocity=np.outer([speed, -0.3 * speed], n)),
@@ -132,7 +132,7 @@ def test_centres_that_meet_end_a_motion() -> None:
 
 
 def test_bonds_that_turn_are_solved_to_first_order_only() -> None:
-    """The rest is of second order: a tenth of the amplitude leaves a hundredth."""
+    """The remainder is of second order: a tenth of the amplitude leaves a hundredth of it."""
     off = []
     for speed in (1.0, 0.1):
         ask = asked(unit(elements(velocity=speed * np.random.default_rng(1).normal(size=(4, 3)))))

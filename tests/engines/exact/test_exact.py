@@ -43,7 +43,7 @@ def observed(scene: Scene, duration: float, interval: float) -> Run:
 
 
 def displacements(run: Run) -> Vector:
-    """(times, spheres, 3) [m]"""
+    """The displacements (times, spheres, 3) [m]."""
     return np.stack(list(run.values.values()), axis=1)
 
 
@@ -68,10 +68,10 @@ def test_closed_forms_are_met_to_rounding(variant: str) -> None:
 
 @pytest.mark.parametrize("test", PLAIN)
 def test_coordinates_that_dwarf_the_motion_cost_no_accuracy(test: str) -> None:
-    """Spheres of 50 m, turned at random: a gap of zero stays zero.
+    """Spheres of 50 m in a randomly rotated frame: a gap of zero remains zero.
 
-    The overlap of T3 and T4, 0.2 m between coordinates of 50 m, is rounded by the turning itself,
-    to 7e-14 of it; hence twice the usual bound.
+    The overlap of T3 and T4, 0.2 m between coordinates of 50 m, is rounded by the rotation itself
+    to 7e-14 of it: hence twice the usual bound.
     """
     quantity = CASE.declare(test, CASE.defaults(test)).quantities[0]
     ask = asked(test)
@@ -85,7 +85,7 @@ def test_coordinates_that_dwarf_the_motion_cost_no_accuracy(test: str) -> None:
 
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_a_single_contact_has_one_unknown_and_no_arrays_it_does_not_need(variant: str) -> None:
-    """A second one where the contact could move normally: T3 and T4 held by a load, not a lock."""
+    """It has two if the contact can move along its normal: T3 and T4 under a load, not a lock."""
     ask = asked(variant)
     run, system = solve(ask), assemble(ask.scene)
     path = follow(system, 0.4)
@@ -100,7 +100,7 @@ def test_a_single_contact_has_one_unknown_and_no_arrays_it_does_not_need(variant
 
 @pytest.mark.parametrize("kind", range(len(KINDS)))
 def test_random_scenes_agree_with_scipy_from_event_to_event(kind: int) -> None:
-    """Seen 3e-12 at most; the engine is given the scene turned at random in space."""
+    """The engine solves the scene in a randomly rotated frame. Differences are 3e-12 at most."""
     for seed in SCENES[kind :: len(KINDS)]:
         scene, rotation = small_scene(seed), turned(seed)
         run = observed(rotated(scene, rotation), DURATION, DURATION / 4)
@@ -160,7 +160,7 @@ def test_a_throw_the_other_way_is_the_exact_negative(test: str) -> None:
 
 
 def _inverted(scene: Scene) -> Scene:
-    """The scene with every vector negated, its axes apart."""
+    """The scene with all vectors reversed, except for its axes."""
     bodies = []
     for group in scene.bodies:
         wall = isinstance(group, Wall)
@@ -178,7 +178,7 @@ def test_an_elastic_motion_runs_backwards() -> None:
 
 
 def _returning(scene: Scene, moved: Vector) -> Scene:
-    """The scene as it is at the end of a run, with all velocities reversed."""
+    """The scene in its state at the end of a run, with all velocities reversed."""
     path = motion(scene, DURATION)
     _, v = path.at(np.array([DURATION]))
     spheres, velocity = scene.spheres, np.zeros_like(scene.spheres.velocity)
@@ -201,7 +201,7 @@ def test_energy_is_accounted_for_to_rounding_and_within_its_bound() -> None:
 
 
 def test_overlaps_far_below_the_displacements_keep_the_energy() -> None:
-    """A ball of 1 kg falls 0.5 m again and again on a plane that yields by 3e-11 m."""
+    """A ball of 1 kg falls 0.5 m again and again on a plane that is compressed by 3e-11 m."""
     falling = ball(np.array([0.0, 0.0, 1.5]), np.zeros(3))
     scene = Scene((FLOOR, falling), Contact(1e22), gravity=DOWN)
     path = motion(scene, 5.0)
@@ -213,7 +213,7 @@ def test_overlaps_far_below_the_displacements_keep_the_energy() -> None:
 
 
 def test_the_energies_of_t3_are_those_of_the_closed_form() -> None:
-    """m v_b^2/2 = ks y1^2/2 + mu Fn b: at the end half of the swing is left about b."""
+    """m v_b^2/2 = ks y1^2/2 + mu Fn b: half of the oscillation remains at the end, about b."""
     p, run = CASE.defaults("T3"), solve(asked("T3", 20.0))
     scene = asked("T3").scene
     dx = -float(scene.walls[0].normal @ (0 - scene.walls[0].point)) + p["r"]

@@ -1,4 +1,4 @@
-"""Claims about one unknown on one contact: its closed forms, against the general Taylor kernel."""
+"""Claims about one unknown on one contact: closed forms against the general Taylor kernel."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SEEDS = range(120)
 
 
 def thrown(seed: int) -> Scene:
-    """A ball above a floor, on it or pressed into it, that moves up and down or along it."""
+    """A ball above a floor, on it or pressed into it, which moves vertically or along it."""
     r = np.random.default_rng(seed)
     slides, drags, falls, pulls = (bool(b) for b in r.integers(0, 2, 4))
     gap = -r.uniform(0.005, 0.05) if slides else r.uniform(-0.02, 0.05) * r.integers(0, 2)
@@ -72,20 +72,20 @@ def test_energy_is_conserved_piece_by_piece(seed: int) -> None:
 
 
 def test_the_random_scenes_open_stick_slip_and_turn() -> None:
-    """Else the comparison would leave out a branch."""
+    """Otherwise the comparison would leave out a branch."""
     seen = {event.after for seed in SEEDS for event in both(thrown(seed))[0].events}
     assert seen == {State.OPEN, State.STUCK, State.SLIP_FORWARD, State.SLIP_BACKWARD}
 
 
 def test_a_spring_that_swings_back_to_its_limit_does_not_slip() -> None:
-    """T3 touches the limit of friction at every return, for ever."""
+    """T3 touches the friction limit at every return."""
     study = CASE.declare("T3", CASE.defaults("T3")).study
     path = exact.move(exact.prepare(Ask(study.scene, History(60.0, 1.0), ())), 60.0)
     assert [event.after for event in path.events] == [State.SLIP_FORWARD, State.STUCK]  # type: ignore[union-attr]
 
 
 def test_a_drag_that_is_almost_nil_changes_nothing() -> None:
-    """Its exponentials would lose all digits if they were not taken as series."""
+    """Closed forms would lose all digits; series are used instead."""
     scene = dataclasses.replace(thrown(3), eta=0.0)
     dragged = dataclasses.replace(scene, eta=1e-15)
     times = np.linspace(0, DURATION, 31)
@@ -95,7 +95,7 @@ def test_a_drag_that_is_almost_nil_changes_nothing() -> None:
 
 @pytest.mark.parametrize("change", [{"eta": 1e4}, {"contact": Contact(300.0, eta_n=1.0)}])
 def test_other_motions_are_left_to_series(change: dict[str, Any]) -> None:
-    """Drag beyond critical damping, and dashpots."""
+    """These have drag above critical damping, or dashpots."""
     scene = dataclasses.replace(thrown(1), **{"eta": 0.0, **change})
     flow = exact.ready(exact.prepare(Ask(scene, History(0.1, 0.1), ())), 0.1)
     assert isinstance(flow, SystemFlow)

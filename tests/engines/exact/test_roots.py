@@ -1,4 +1,4 @@
-"""Claims about event location: the first fall of a polynomial, and no fall where it grazes."""
+"""Claims about event location: the first descent of a polynomial, and none where it grazes zero."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ROOTS = st.lists(st.floats(0.02, 3.0), min_size=1, max_size=6)
 
 
 def from_roots(roots: list[float]) -> list[float]:
-    """Coefficients, lowest first, of the product of (1 - x/root): 1 at x = 0."""
+    """Coefficients, lowest first, of the product of (1 - x/root), which is 1 at x = 0."""
     c = np.ones(1)
     for root in roots:
         c = np.convolve(c, [1.0, -1.0 / root])

@@ -1,4 +1,4 @@
-"""Claims that the exact engine accounts, on rigid contact, for its energy, unknowns and time."""
+"""Claims about the exact engine on rigid contact: its energy balance, unknowns and cost."""
 
 from __future__ import annotations
 

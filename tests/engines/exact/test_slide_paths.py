@@ -1,4 +1,4 @@
-"""Claims that the exact engine slides on rigid contact as closed forms and a second route do."""
+"""Claims about slides on rigid contact in the exact engine: they agree with closed forms."""
 
 from __future__ import annotations
 
@@ -98,7 +98,10 @@ def test_the_responding_block_is_exact(D: float, f: float, mu: float, d: float) 
 
 
 def quick(times: Vector, D: float, f: float, mu: float) -> Vector:
-    """d2 [m] of a block that always slips, in extended precision: parabolas between reversals."""
+    """The displacement d2 [m] of a block that always slips, in extended precision.
+
+    It is a parabola between reversals of slip.
+    """
     wide = np.longdouble
     turn = 8 * np.arctan(wide(1)) * wide(f)
     t, d, v, a, found = wide(0), wide(0), wide(0), wide(mu) * wide(G), []
@@ -117,14 +120,14 @@ def quick(times: Vector, D: float, f: float, mu: float) -> Vector:
 @pytest.mark.skipif(bool(np.finfo(np.longdouble).eps > 1e-18), reason="no extended precision here")
 @pytest.mark.parametrize("f", [5.0, 20.0, 100.0])
 def test_a_quick_base_costs_no_digits(f: float) -> None:
-    """Seen 8e-15 at 100 Hz: the speed of the block is carried, not its small difference."""
+    """The error is 8e-15 at 100 Hz: the velocity is integrated, and not the small slip velocity."""
     run = ran(responding(0.2, f, 0.6), 5.0, 5.0 / 997)
     assert apart(run.values[BOX][:, 0], quick(run.times, 0.2, f, 0.6)) < 1e-13
 
 
 @pytest.mark.parametrize("seed", range(10))
 def test_walls_and_shaking_of_many_periods_agree_with_scipy(seed: int) -> None:
-    """The normal force varies by a third; seen 5e-14 at most."""
+    """The normal force varies by a third. Differences are 5e-14 at most."""
     scene, frame = random_scene(seed)
     run = ran(scene, 3.0, 0.1)
     assert apart(run.values[BOX], by_scipy(scene, frame, run.times)) < 1e-11
@@ -155,14 +158,14 @@ def test_the_velocity_is_that_of_the_base_while_the_block_sticks() -> None:
 
 
 def test_a_block_slips_on_through_the_touch_of_zero_once_a_period() -> None:
-    """phi = alpha: the speed (A/(w cos alpha))(1 - cos wt) is zero at whole periods."""
+    """phi = alpha: the velocity (A/(w cos alpha))(1 - cos wt) is zero once in a period."""
     for scene in (incline(Frame(20), 20.0, 5.0), incline(Frame(45), 45.0, 2.0)):
         path = slid(scene, 10.0)
         assert [e.after for e in path.events if e.time > 1e-9] == []
 
 
 def test_a_block_that_touches_its_slip_limit_stays() -> None:
-    """The drive reaches mu g, exactly or but for rounding, and turns."""
+    """The force reaches mu g, exactly or except for rounding, and decreases again."""
     for A in np.nextafter(0.5 * G, [0.0, np.inf]):
         scene = responding(1.0, 1.0, 0.5)
         shaking = Harmonic((A, 0, 0), (1.0,) * 3)  # type: ignore[arg-type]

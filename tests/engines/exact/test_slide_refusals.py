@@ -1,4 +1,4 @@
-"""Claims about what the exact engine refuses of rigid contact, and runs that it cannot finish."""
+"""Claims about rigid contact that the exact engine refuses, and runs that it cannot finish."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_scenes_outside_the_class_are_refused_with_the_reason(reason: str, tmp_p
 
 
 def test_a_block_that_would_fly_is_refused_unless_the_run_ends_before() -> None:
-    """It lifts off as A sin 2 pi t = g; a normal force that only touches zero keeps it down."""
+    """It lifts off at A sin 2 pi t = g; a normal force that only touches zero holds it down."""
     scene = shaken(Z, on_floor(), 2 * G)
     late, early = (Ask(scene, History(end, 0.01), (BOX,)) for end in (0.1, 0.08))
     reason = "body 1 lifts off body 0 at t = 0.0833333 s; flight is not followed"

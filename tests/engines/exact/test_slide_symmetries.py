@@ -1,4 +1,4 @@
-"""Claims that the exact engine slides alike what is alike: turned, seen from the wall, repeated."""
+"""Claims about symmetries of exact slides: rotated, relative to the wall, repeated."""
 
 from __future__ import annotations
 

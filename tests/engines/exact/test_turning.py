@@ -1,4 +1,4 @@
-"""Claims about the exact motion of a block whose slip turns on a rigid wall."""
+"""Claims about the exact motion of a block whose slip changes direction on a rigid wall."""
 
 from __future__ import annotations
 
@@ -57,8 +57,10 @@ def test_a_slip_that_turns_agrees_with_collocation(seed: int) -> None:
 
 
 def test_a_drive_that_friction_nearly_balances_takes_long_pieces() -> None:
-    """A slip that starts slowly on a slope: pieces reach as far as series do, not as far as rest
-    would be if nothing drove the block."""
+    """A slip that starts slowly on a slope: pieces are limited by the convergence of their series.
+
+    They are not limited by the time to rest without a driving force.
+    """
     case = find().load_case("incline")
     ask = case.declare("two-directions", case.defaults("two-directions")).study.ask(Knobs())
     flow = ready(prepare(ask), 6.0)
@@ -67,7 +69,7 @@ def test_a_drive_that_friction_nearly_balances_takes_long_pieces() -> None:
 
 
 def test_a_slip_under_constant_forces_ends_when_the_closed_form_says() -> None:
-    """F |w| + T.w falls at the rate F^2 - |T|^2, whatever way the slip takes."""
+    """F |w| + T.w decreases at the rate F^2 - |T|^2, whatever the path of the slip."""
     frame, start = Frame(15.0), np.array([-0.7, 1.3])
     law = Contact(np.inf, mu=0.45)
     bodies = (wall(frame), block(frame, start @ frame.axes[:2]))
@@ -112,7 +114,7 @@ def test_the_frame_of_a_slope_changes_nothing() -> None:
 
 
 def test_a_wall_that_moves_in_two_directions_carries_the_block_as_shaking_would() -> None:
-    """Relative to the wall, its motion is a shaking with the opposite acceleration."""
+    """In the frame of the wall, its motion is a shaking with the opposite acceleration."""
     frequency, size = np.array([1.3, 0.9, 1.0]), np.array([0.06, 0.1, 0.0])
     motion = Harmonic(size, frequency)
     bodies = (wall(LEVEL, motion), block(LEVEL, 2 * np.pi * frequency * size))
@@ -159,7 +161,7 @@ def test_too_many_pieces_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_long_quick_slip_is_the_same_with_its_axes_swapped() -> None:
-    """Phases that lost digits late, or pieces that left gaps, would differ by 1e-11 and more."""
+    """Phases that lose digits, or gaps between pieces, would cause a difference of 1e-11."""
     frequency, size = np.array([20.0, 15.0, 1.0]), np.array([0.3, 0.2, 0.0])
     ways = []
     for order in ([0, 1, 2], [1, 0, 2]):

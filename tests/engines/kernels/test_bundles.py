@@ -1,4 +1,4 @@
-"""What kernels pass on as one pointer, and what is compiled within them alone."""
+"""Claims about bundles, which kernels pass as one pointer, and about functions within kernels."""
 
 from typing import Any, NamedTuple
 
@@ -13,7 +13,7 @@ from vv.scene import Vector
 
 @bundle
 class Pair(NamedTuple):
-    """numbers: (n,)."""
+    """A bundle; numbers: (n,)."""
 
     numbers: Vector
     scale: float
@@ -29,13 +29,13 @@ class Nest(NamedTuple):
 
 @called
 def scaled(pair: Pair) -> Pair:
-    """The pair, scaled once more."""
+    """The pair with its numbers scaled once more."""
     return Pair(pair.scale * pair.numbers, 2.0 * pair.scale)
 
 
 @compiled
 def grown(nest: Nest) -> float:
-    """The last number after so many scalings."""
+    """The last number after a number of scalings."""
     pair = nest.pair
     for _ in range(nest.rounds):
         pair = scaled(pair)
@@ -49,7 +49,7 @@ runtime: Any = nrt
 
 @plain  # type: ignore[untyped-decorator]
 def once(pair: Pair) -> float:
-    """A kernel that numba compiles in its own way calls a part too."""
+    """A kernel compiled by numba's own compiler, which calls a part too."""
     return float(scaled(pair).numbers[-1])
 
 

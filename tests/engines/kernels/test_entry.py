@@ -1,4 +1,4 @@
-"""Python calls kernels with arguments that are read where they lie, and counts none of them."""
+"""Claims about the entry of kernels: arguments are read in place, and no references are counted."""
 
 import sys
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ runtime: Any = nrt
 
 @bundle
 class Scaled(NamedTuple):
-    """numbers: (n,)."""
+    """A bundle; numbers: (n,)."""
 
     numbers: Vector
     scale: float
@@ -27,13 +27,13 @@ class Scaled(NamedTuple):
 
 @bundle
 class Outer(NamedTuple):
-    """A bundle within one."""
+    """A bundle within a bundle."""
 
     inner: Scaled
 
 
 class Both(NamedTuple):
-    """A bundle within a tuple, beside a table and what is not there."""
+    """A bundle within a tuple, beside a table and None."""
 
     scaled: Scaled
     table: Vector
@@ -42,7 +42,7 @@ class Both(NamedTuple):
 
 @compiled
 def thousandths(out: Vector, both: Both, factor: float, times: int, whole: bool) -> int:
-    """A sum of all that is given, and of `out` twice, which is filled with it."""
+    """A weighted sum of all arguments, with `out`, which is filled with it, twice."""
     total = out[0]
     for one in both.scaled.numbers:
         total += both.scaled.scale * one
@@ -62,7 +62,7 @@ def scale_within(outer: Outer) -> int:
 
 
 def arguments(table: Vector) -> tuple[Any, ...]:
-    """What `thousandths` takes."""
+    """The arguments of `thousandths`."""
     return np.full(3, 0.25), Both(Scaled(np.array([1.0, 2.0]), 0.5), table, None), 1.5, 2, True
 
 
@@ -120,7 +120,7 @@ def total(numbers: Vector) -> int:
 
 @pytest.fixture
 def unknown(request: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Words of objects that lie elsewhere than kernels look for them."""
+    """Make words of objects lie elsewhere than kernels expect them."""
     moved = {name: getattr(layout, there) for name, there in request.param.items()}
     for name, place in moved.items():
         monkeypatch.setattr(layout, name, place)

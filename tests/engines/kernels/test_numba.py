@@ -1,4 +1,4 @@
-"""What of numba's private interface kernels are compiled by, and what that promises."""
+"""Claims about the private interface of numba by which kernels are compiled."""
 
 import inspect
 from typing import Any, NamedTuple
@@ -85,7 +85,7 @@ runtime: Any = nrt
 
 @bundle
 class Held(NamedTuple):
-    """numbers: (n,)."""
+    """A bundle; numbers: (n,)."""
 
     numbers: Vector
 
@@ -98,7 +98,7 @@ def last(held: Held) -> float:
 
 @compiled
 def last_of_many(held: Held, rounds: int) -> float:
-    """The last of the numbers, read so often."""
+    """The last number, read a number of times."""
     total = 0.0
     for _ in range(rounds):
         total += last(held)
@@ -107,19 +107,19 @@ def last_of_many(held: Held, rounds: int) -> float:
 
 @lent
 def given(n: int) -> float:
-    """What is lent arrays must not be given one."""
+    """A function that only borrows arrays and must not be returned one."""
     return float(zero_numbers(n)[0])
 
 
 @compiled
 def asks(n: int) -> float:
-    """Calls what is given an array."""
+    """A function that calls one which is returned an array."""
     return given(n)
 
 
 @called
 def doubtful(number: int) -> int:
-    """May raise."""
+    """A function that may raise."""
     if number > 2:
         raise ValueError("too many")
     return number
@@ -127,19 +127,19 @@ def doubtful(number: int) -> int:
 
 @called
 def between(number: int) -> int:
-    """Raises nothing itself, but calls what may."""
+    """A function that raises nothing itself but calls one that may."""
     return doubtful(number)
 
 
 @compiled
 def told(number: int) -> int:
-    """Calls what may raise, by way of another part."""
+    """A function that calls, by way of another, one that may raise."""
     return between(number)
 
 
 @called
 def halves(n: int) -> tuple[Vector, Vector]:
-    """Two arrays, one of which is set on one way only."""
+    """Two arrays, of which one is set in one branch only."""
     low = zero_numbers(n)
     high = low
     if n > 2:
@@ -149,7 +149,7 @@ def halves(n: int) -> tuple[Vector, Vector]:
 
 @compiled
 def halved(n: int, rounds: int) -> int:
-    """The length of the second array, made so often."""
+    """The length of the second array, made a number of times."""
     length = 0
     for _ in range(rounds):
         low, high = halves(n)
@@ -171,19 +171,19 @@ def looped(table: Vector, first: int, end: int) -> float:
 
 @lent
 def text_added(value: float) -> float:
-    """What has no type."""
+    """A function that cannot be typed."""
     return value + "some"  # type: ignore[operator]
 
 
 @compiled
 def adds_text(value: float) -> float:
-    """Calls what has no type."""
+    """A function that calls one that cannot be typed."""
     return text_added(value)
 
 
 @lent
 def times_count(value: float, count: int) -> float:
-    """So many times the value."""
+    """A multiple of the value."""
     return value * count
 
 

@@ -1,4 +1,4 @@
-"""Claims about hints to the cache: kernels give them, and they change no number."""
+"""Claims about prefetching: kernels generate it, and it changes no number."""
 
 import re
 from typing import Any
@@ -12,7 +12,7 @@ from vv.scene import Vector
 
 
 def summed(rows: Vector, ahead: int, column: int) -> float:
-    """The sum of the first column; the row some rows ahead is asked for beforehand."""
+    """The sum of the first column; a row some rows ahead is prefetched."""
     total = 0.0
     for i in range(len(rows)):
         begin_to_read(rows, i + ahead, column)
@@ -23,7 +23,7 @@ def summed(rows: Vector, ahead: int, column: int) -> float:
 def test_a_kernel_asks_for_a_row_beforehand_to_read_it_and_to_keep_it() -> None:
     kernel: Any = numba.njit(**ENTRY, **ROUNDING)(summed)
     rows = np.arange(24.0).reshape(6, 4)
-    far_beyond = 10**6  # a hint is no access: nothing need be there
+    far_beyond = 10**6  # a prefetch is no access: the row need not exist
     assert kernel(rows, 1, 3) == kernel(rows, far_beyond, 0) == 60.0
     (code,) = kernel.inspect_llvm().values()
     assert re.search(r"call void @llvm\.prefetch\.p0\(.*, i32 0, i32 3, i32 1\)", code)

@@ -1,6 +1,7 @@
-"""When sweeps that are stuck begin anew without impulses: once, and only far from the residual.
+"""Claims about the contact solver of many blocks: when sweeps that are stuck restart from zero.
 
-The solver is asked as plain Python, with sweeps that leave what a row says.
+They do so once, and only far from the residual asked. The solver runs as plain Python, with sweeps
+that are replaced by the given residuals.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ ROWS = {
 
 @pytest.fixture
 def done(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """What is done between sweeps: impulses cleared, or a Newton step."""
+    """What happens between sweeps: impulses are set to zero, or a Newton step is taken."""
     said: list[str] = []
 
     def cleared(p: Vector) -> None:
@@ -48,7 +49,7 @@ def done(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = STUCK) -> Vector:
-    """Let so many sweeps at a time leave these residuals; returns the impulses."""
+    """Replace sweeps by ones that leave the given residuals; returns the impulses."""
     rows: Iterator[float] = iter(left)
     now = [np.inf]
 

@@ -1,4 +1,4 @@
-"""Claims about blocks in `rigid` that walls or locks guide, while drives act across their way."""
+"""Claims about blocks in `rigid` that walls or locks guide while shaking acts across their path."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from vv.engines.rigid import PreparedRigidBlocks
 from vv.engines.rigid.general.model import Space
 from vv.scene import Block, Harmonic, Scene, Vector
 
-HARDLY = {"dip": 33.2, "phi": 20.0, "xi": 1.18, "A": 1.92}  # friction all but holds the wedge
+HARDLY = {"dip": 33.2, "phi": 20.0, "xi": 1.18, "A": 1.92}  # friction almost holds the wedge
 
 
 def way(dt: float, changes: dict[str, float]) -> tuple[Vector, Vector, dict[str, Any]]:
-    """Times and displacement down the groove of a wedge that is shaken level, and its law."""
+    """Times and displacement along the groove of a wedge shaken horizontally, and its exact law."""
     p = {**CASE.defaults("level"), **changes}
     scene = CASE.declare("level", p).study.scene
     run = rigid.solve(Ask(scene, History(3.0, 0.01), (WEDGE,), Knobs(dt)))
@@ -50,7 +50,7 @@ def test_a_second_route_says_the_same_of_a_wedge_that_friction_all_but_holds() -
 
 
 def locked(across: float) -> Scene:
-    """A cube on a slope that is shaken down the dip, and across it, where it is locked."""
+    """A cube on a slope that is shaken along the dip, and across it, where the cube is locked."""
     amplitude, frequency = np.array([2.0, across, 0.0]), np.array([1.0, 2.0, 0.0])
     scene = incline(45, 50, Harmonic(amplitude, frequency), free_spin=HELD)
     bodies = tuple(

@@ -1,4 +1,4 @@
-"""Claims about rigid blocks that land: a step is cut there, so that none goes into the floor."""
+"""Claims about rigid blocks that land: the step is divided there, so that none enters the floor."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ HALF, LEAN = np.array([0.5, 0.5, 2.5]), 1.2  # m; of the angle at which it stand
 
 
 def toppled(mu: float, dt: float) -> PreparedRigidBlocks:
-    """A column of 1 x 5 m lets go just past its balance, and lands on its side at 10 m/s."""
+    """A column of 1 x 5 m starts just beyond its balance, and lands on its side at 10 m/s."""
     tilt = LEAN * np.arctan(HALF[0] / HALF[2])
     c, s = np.cos(tilt), np.sin(tilt)
     axes = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
@@ -31,7 +31,7 @@ def toppled(mu: float, dt: float) -> PreparedRigidBlocks:
 @pytest.mark.parametrize("mu", [0.3, 0.6, 2.0])
 @pytest.mark.parametrize("dt", [1e-3, 5e-3])
 def test_a_column_that_topples_lands_on_the_floor_and_not_in_it(mu: float, dt: float) -> None:
-    """Its tip goes 50 mm in a step of 5 ms: the mean of before and after would take it in by 18."""
+    """Its tip moves by 50 mm in a step of 5 ms: with mean velocities it penetrates by 18 mm."""
     program = toppled(mu, dt)
     assert program.report[:, 2].max() <= 1e-4
     assert program.report[:, 0].max() <= 1e-6
@@ -40,7 +40,7 @@ def test_a_column_that_topples_lands_on_the_floor_and_not_in_it(mu: float, dt: f
 
 
 def test_where_a_toppled_column_lies_hangs_little_on_the_step() -> None:
-    """Pushed out of the floor, it lay 2 mm apart."""
+    """If penetration were removed instead, positions for different steps would be 2 mm apart."""
     lies = [toppled(2.0, dt).arguments[0][-1, 0, 0] for dt in (5e-3, 2e-3, 1e-3)]
     assert np.ptp(lies) <= 2e-4
 
@@ -50,7 +50,7 @@ def test_where_a_toppled_column_lies_hangs_little_on_the_step() -> None:
 def test_a_thrown_block_flies_and_comes_down_as_it_should_at_any_step(
     step: float, free_spin: Mask
 ) -> None:
-    """Its flight takes 0.2 s, less than a step or many; it slides on where it comes down."""
+    """Its flight of 0.2 s is shorter than one step, or takes many; it slides on where it lands."""
     thrown = box("thrown", [0, 0, 0.5], [0.5] * 3, velocity=[0.3, 0, G / 10], free_spin=free_spin)
     program = solved(Scene((FLOOR, thrown), Contact(np.inf), gravity=DOWN), 2.0, step, step)
     t = np.arange(len(program.arguments[0])) * step
@@ -63,7 +63,7 @@ def test_a_thrown_block_flies_and_comes_down_as_it_should_at_any_step(
 
 
 def dropped(step: float, duration: float = 0.7) -> float:
-    """By how much [m] a block is off that falls 0.3 m on a base that heaves, and rides on it."""
+    """The error [m] of a block that falls 0.3 m on a base in vertical motion, then follows it."""
     size, omega = 0.05, 2 * np.pi
     up = np.array([0.0, 0.0, 1.0])
     heaves = Wall(np.zeros(3), up, Harmonic(size * up, up, np.full(3, -np.pi / 2)))
@@ -75,14 +75,14 @@ def dropped(step: float, duration: float = 0.7) -> float:
 
 
 def test_a_block_lands_on_a_base_that_heaves_where_they_meet() -> None:
-    """Their way to one another is bent; what is left is of the ride that follows, step by step."""
+    """Their relative path is curved; the remaining error is that of following the base."""
     errors = [dropped(step) for step in (0.02, 0.01, 0.005)]
     assert errors[0] <= 1e-4
     assert np.log2(errors[0] / errors[2]) / 2 == pytest.approx(3.0, abs=0.1)
 
 
 def jammed(mu: float, step: float) -> float:
-    """By how much of its way a rod is off that jams as it slides into a wall of friction."""
+    """The relative error in the path of a rod that jams as it slides on a wall with friction."""
     law = PAINLEVE.defaults("mu-2") | {"mu": mu}
     study = PAINLEVE.declare("mu-2", law).study
     run = rigid.solve(Ask(study.scene, study.goal, study.observables, Knobs(step)))

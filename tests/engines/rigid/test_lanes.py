@@ -1,4 +1,4 @@
-"""Claims about sweeps over batches of contacts: those over one contact after another."""
+"""Claims about sweeps over batches of contacts: they equal sweeps over one contact at a time."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _one_by_one(joints: Joints, bodies: Bodies, friction: Friction, v: Vector) -
     return p
 
 
-side_by_side: Any = numba.njit(_side_by_side)  # not kept on disk, as in test_momentum.py
+side_by_side: Any = numba.njit(_side_by_side)  # not cached on disk, as in test_momentum.py
 
 
 def _seats(joints: Joints, bodies: Bodies) -> tuple[Index, Index]:

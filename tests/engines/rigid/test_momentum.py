@@ -1,4 +1,4 @@
-"""Claims about sweeps carried on by momentum: the plain sweeps' answer, in fewer sweeps."""
+"""Claims about sweeps with momentum: they reach the answer of plain sweeps in fewer sweeps."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.scene import Vector
 
 TOLERANCE, MOST = 1e-8, 20_000  # m/s; sweeps
-STEP = 1e-2  # m/s: what gravity makes of a step
+STEP = 1e-2  # m/s gained from gravity in a step
 Z = np.array([0.0, 0.0, 1.0])
 
 
 def pile(height: int, mu: float) -> tuple[Joints, Bodies, Friction, Vector]:
-    """Unit cubes of 1 kg on a floor that slides off at 0.1 m/s, each touching in four corners.
+    """A pile of unit cubes of 1 kg on a floor that slides at 0.1 m/s, with four contacts for each.
 
-    And their velocities (height + 1, 3) [m/s] after a step without contact.
+    Also their velocities (height + 1, 3) [m/s] after a step without contact.
     """
     corners = 0.5 * np.array([[x, y, 0.0] for x in (-1.0, 1.0) for y in (-1.0, 1.0)])
     inertia = np.concatenate([6.0 * np.ones(height), [0.0]])
@@ -67,7 +67,9 @@ def _solved(
     return sweeps, left, p
 
 
-solve: Any = numba.njit(_solved)  # not kept on disk, where it would outlive what it calls
+solve: Any = numba.njit(
+    _solved
+)  # not cached on disk, where it would outlive the functions it calls
 
 
 @pytest.mark.parametrize(("height", "mu"), [(6, 0.5), (8, 0.5), (8, 0.05)])

@@ -1,4 +1,4 @@
-"""Claims about rigid blocks that turn and touch: balance, objectivity, order, rest, refusals."""
+"""Claims about rigid blocks that rotate and touch: balance, objectivity, order, rest, refusals."""
 
 from __future__ import annotations
 
@@ -154,7 +154,9 @@ def test_a_dropped_box_comes_to_rest_on_a_face() -> None:
     half = np.array([0.3, 0.2, 0.4])
     block = box("dropped", [0.0, 0.0, 1.0], half, turn(1))
     program = solved(Scene((FLOOR, block), Contact(np.inf, mu=0.4), gravity=DOWN), 3.0)
-    mechanical = program.energies[:, [0, 5, 6]].sum(axis=1)  # but for what push-out has lifted
+    mechanical = program.energies[:, [0, 5, 6]].sum(
+        axis=1
+    )  # except for the work of removing penetration
     height = 1.0 + ends(program)[0, 2]
     assert np.abs(half - height).min() <= 1e-9
     assert program.energies[-1, 0] <= 1e-15

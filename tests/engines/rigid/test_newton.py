@@ -1,4 +1,4 @@
-"""Claims about Newton steps over contacts of many blocks: equations for what moves, in a band."""
+"""Claims about Newton steps for the contacts of many blocks, and about their banded equations."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PLANE, SPIN = np.diag([1.0, 0.0, 1.0]), np.diag([0.0, 1.0, 0.0])
 def _solved(
     joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector, newton: bool
 ) -> tuple[int, float]:
-    """Sweeps, with Newton steps after every sixty if they are asked for; and what is left."""
+    """Solve by sweeps, with Newton steps after every sixty if asked for; returns the residual."""
     p, blocks = zero_rows(len(joints.first)), len(v) - 1
     place, _ = band_ordering(joints, bodies, blocks)
     sweeps, left = 0, residual(p, joints, friction, v, w)
@@ -37,13 +37,15 @@ def _solved(
 
 
 def _equations(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int, int]:
-    """The rows of velocities, how many there are, and how far contacts reach from the diagonal."""
+    """The equation numbers of velocities, their count, and the half-width of the band."""
     place, _ = band_ordering(joints, bodies, blocks)
     row, many = equation_numbers(bodies, place)
     return row, many, half_width(joints, row, blocks)
 
 
-solved: Any = numba.njit(_solved)  # not kept on disk, where they would outlive what they call
+solved: Any = numba.njit(
+    _solved
+)  # not cached on disk, where they would outlive the functions they call
 equations: Any = numba.njit(_equations)
 
 

@@ -1,4 +1,4 @@
-"""Claims about energy in `rigid`: contacts solved to a residual give no more than that may do."""
+"""Claims about energy in `rigid`: contacts exchange no more than their residuals allow."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ WEDGE = find().load_case("wedge")
 
 
 def ledger(variant: str, knobs: Knobs, **given: float) -> Ledger:
-    """The energies of a wedge in a groove."""
+    """The ledger of a wedge in a groove."""
     trial = WEDGE.declare(variant, {**WEDGE.defaults(variant), **given})
     found = rigid.solve(trial.study.ask(knobs)).ledger
     assert found is not None

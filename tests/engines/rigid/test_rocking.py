@@ -1,4 +1,4 @@
-"""Claims about blocks that rock on an edge: pendulums, to second order, whose energy closes."""
+"""Claims about blocks that rock on an edge: pendulums of second order that conserve energy."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def tilted(**given: Any) -> Block:
 
 @functools.cache
 def fallen() -> float:
-    """How far the centre sinks in a swing, of a pendulum upside down (Housner 1963, Eq. 1)."""
+    """The descent of the centre of an inverted pendulum in time (Housner 1963, Eq. 1)."""
 
     def rate(t: float, y: Any) -> list[float]:
         return [y[1], -3 * G / (4 * RADIUS) * np.sin(SLENDER - y[0])]
@@ -41,7 +41,7 @@ def fallen() -> float:
 
 
 def error(dt: float, azimuth: float = 0.0, **given: Any) -> float:
-    """Of the sinking, in metres; energy must close meanwhile."""
+    """The error of the descent [m]; energy must be conserved meanwhile."""
     scene = Scene((FLOOR, tilted(**given)), Contact(np.inf, mu=2.0), gravity=DOWN)
     program = solved(rotated(scene, rotation_about_z(azimuth)), SWING, dt)
     assert np.abs(program.energies.sum(axis=1)).max() <= 1e-9 * program.energies[-1, 0]
@@ -72,7 +72,7 @@ def rocked(variant: str, dt: float, mu: float = 0.6) -> float:
 
 
 def test_three_impacts_are_met_at_second_order() -> None:
-    """What an impact that is met late leaves is of first order: 1e-4 at 1e-3 s."""
+    """If impacts were noticed late, the error would be of first order: 1e-4 at 1e-3 s."""
     coarse, fine = rocked("released", 2e-3), rocked("released", 2.5e-4)
     assert fine <= 1e-6
     assert np.log2(coarse / fine) / 3 == pytest.approx(2.0, abs=0.15)
@@ -84,12 +84,12 @@ def test_a_block_just_below_the_threshold_comes_back_and_just_beyond_it_overturn
 
 @pytest.mark.parametrize("mu", [0.4, 5.0])
 def test_an_impact_needs_no_more_friction_than_its_impulse_leans(mu: float) -> None:
-    """It leans by 0.24; what a corner crept before must not decide which way it holds."""
+    """The impulse leans by 0.24; earlier creep of the corner must not decide how friction acts."""
     assert rocked("released", 1e-3, mu) <= 2e-5
 
 
 def test_a_corner_that_stays_loses_nothing_by_friction_whatever_the_step() -> None:
-    """Nor does it where the other corner lands: only push and friction together lose in a blow."""
+    """This holds also where the other corner lands: an impact has only the sum of its losses."""
     changed = {"b": 0.12, "h": 0.4, "part": 0.93, "duration": 0.9}
     p = {**ROCKING.defaults("released"), **changed}
     scene = ROCKING.declare("released", p).study.ask(Knobs(1e-3)).scene

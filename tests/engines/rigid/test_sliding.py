@@ -121,7 +121,7 @@ def test_a_responding_block_in_a_plane_and_in_space() -> None:
 
 
 def weakened(scene: Scene, part: float) -> Scene:
-    """The scene with gravity, what shakes it and what its walls do so many times as large."""
+    """The scene with gravity, shaking and motions of walls multiplied by a factor."""
 
     def less(motion: Harmonic | None) -> Harmonic | None:
         return motion and dataclasses.replace(motion, amplitude=part * motion.amplitude)
@@ -193,7 +193,7 @@ def test_the_general_model_is_of_second_order_in_weak_fields_too(
 
 
 def loosened(scene: Scene) -> Scene:
-    """The scene with rotation freed."""
+    """The scene with free rotations."""
     bodies = tuple(
         dataclasses.replace(body, free_spin=FREE) if isinstance(body, Block) else body
         for body in scene.bodies

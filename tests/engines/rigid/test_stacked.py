@@ -1,4 +1,4 @@
-"""Claims about two stacked blocks on a moving base: the located-event answer, at second order."""
+"""Claims about two stacked blocks on a moving base: they follow the event-located answer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims about scenes on which sweeps over the contacts stall: they are solved all the same."""
+"""Claims about scenes on which sweeps over the contacts stall: they are solved nevertheless."""
 
 from __future__ import annotations
 
@@ -48,9 +48,9 @@ def test_edges_that_cross_hold_by_friction_without_bound() -> None:
 @pytest.mark.parametrize("mu", [2.0, 5.0, 50.0])
 @pytest.mark.parametrize("sideways", [5.0, 6.5])
 def test_friction_that_lifts_more_than_the_push_is_solved(mu: float, sideways: float) -> None:
-    """A block tips over until its foot slips away: friction then turns it so as to lift the foot.
+    """A block tips until its foot slips: the moment of friction then lifts the foot.
 
-    N (1/m + x (x + mu z)/I) = g - w^2 z: sweeps that take N and friction by turns swing up.
+    N (1/m + x (x + mu z)/I) = g - w^2 z: sweeps that update N and friction in turn would diverge.
     """
     half, weight, spin = np.array([0.0634, 0.3, 0.132]), 13.0, 8.04
     c, s = np.cos(0.977), np.sin(0.977)

@@ -1,4 +1,4 @@
-"""Loops of the contact solver are made of vectors of numbers: of contacts, of equations."""
+"""Claims about loops of the contact solver, over contacts and equations: they are vectorised."""
 
 import re
 from typing import Any
@@ -16,13 +16,13 @@ from vv.scene import Vector
 
 
 def pressed(pairs: Record, batches: Record, layers: Record) -> None:
-    """Press each contact of each batch once."""
+    """Update each contact of each batch once."""
     for k in range(len(batches)):
         update_layer(pairs[0], batches[k], layers[k])
 
 
 def eliminated(matrix: Vector, right: Vector, half: int) -> None:
-    """Solve equations in a band."""
+    """Solve a banded system of equations."""
     eliminate(matrix, right, half)
 
 

@@ -1,4 +1,4 @@
-"""Claims about walls of many blocks: what bears them, and that every step of them converges."""
+"""Claims about walls of many blocks: they carry their loads, and every step of them converges."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_the_locks_of_a_shaken_bed_bear_all_that_stands_on_it() -> None:
 
 
 def test_no_step_of_a_wall_that_begins_to_slide_takes_thousands_of_sweeps_in_vain() -> None:
-    """Some answers of step 104 are such that sweeps drift away from them; they find another."""
+    """Step 104 has solutions from which sweeps diverge; they find another one."""
     program = solved(running_bond(20, 10, amplitude=0.02, frequency=3.0), 0.105, interval=DT)
     residuals, sweeps = program.report[:, 0], program.report[:, 1]
     assert residuals.max() <= 5e-6
@@ -62,7 +62,7 @@ def test_sweeps_that_drift_leap_to_where_they_lead() -> None:
 
 
 def test_a_step_that_leaps_do_not_solve_is_begun_again_without() -> None:
-    """Steps 290 to 299 of a wall shaken at 1.09 g: leaps alone leave them after 20 000 sweeps."""
+    """Steps 290 to 299 of a wall shaken at 1.09 g are not solved by 20 000 sweeps with leaps."""
     program = solved(running_bond(20, 10, amplitude=0.03, frequency=3.0), 0.299, interval=DT)
     assert program.report[:, 0].max() <= 5e-6
     assert LEAPT < program.report[:, 1].max() <= 10000
