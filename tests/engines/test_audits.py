@@ -1,4 +1,4 @@
-"""Every law that a solver audits is broken once, by hand, in what its kernel filled."""
+"""Claims about audits of solvers: each law is broken once, in the arrays that the kernel filled."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_rigid_breaks_a_law_by_one_step_that_did_not_converge_or_gained() -> Non
 def test_dem_may_gain_what_the_order_of_its_step_lets_bonds_gain(
     leapfrog: Leapfrog, part: float
 ) -> None:
-    """At a tenth of the critical step that part of what is held at most; it held 2 J at t = 0."""
+    """At a tenth of the critical step a known part of the stored energy, which was 2 J at t = 0."""
     scene = unit(elements(), tied())
     limit = critical_step(scene, leapfrog)
     ask = Ask(scene, History(limit, limit / 10), (Displacement(0),), Knobs(limit / 10))

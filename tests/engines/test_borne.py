@@ -1,4 +1,4 @@
-"""Claims about what bears shaken blocks: forces and impulses of locks, in rigid and in dda."""
+"""Claims about supports of shaken blocks: forces and impulses of locks, in rigid and in dda."""
 
 from __future__ import annotations
 
@@ -25,9 +25,10 @@ SOLVERS: dict[str, Callable[[Ask], Run]] = {
 def pile(
     height: int, gap: float = 0.0, shaking: Harmonic | None = SHAKING, beside: float = 0.0
 ) -> Scene:
-    """Blocks one on another on a bed that is held, in a frame that is shaken so that they slip.
+    """A pile of blocks on a fixed bed, shaken so that they slip.
 
-    beside [m]: from the middle of the bed; beyond 2 m they tip over its edge, and faces turn.
+    beside [m]: distance from the middle of the bed; beyond 2 m they tip over its edge, and faces
+    turn.
     """
     middles = (0.5 + gap + np.arange(height)).tolist()
     blocks = (box(f"{z:g}", [beside + 0.1 * z, 0.0, z], [0.5] * 3) for z in middles)
@@ -35,14 +36,14 @@ def pile(
 
 
 def seen(code: str, scene: Scene, interval: float = DT) -> Run:
-    """What a code reports of a scene: the bed's reaction and impulse, and all velocities."""
+    """The results of a code for a scene: reaction and impulse of the bed, and all velocities."""
     moving: tuple[Observable, ...] = tuple(map(Velocity, range(1, len(scene.blocks))))
     watched = (Reaction(0), Impulse(0), *moving)
     return SOLVERS[code](Ask(scene, History(TIME, interval), watched, Knobs(DT, 1e9)))
 
 
 def momentum(run: Run, scene: Scene) -> np.ndarray:
-    """Of all that moves (k, 3)."""
+    """The momentum of all moving blocks (k, 3)."""
     moving = enumerate(scene.blocks[1:], 1)
     return np.asarray(sum(block.mass * run.values[Velocity(i)] for i, block in moving))
 

@@ -160,7 +160,7 @@ def test_what_no_clump_stands_for_is_refused_with_the_reason() -> None:
 
 
 def on_floor(mu: float, **given_block: object) -> Scene:
-    """A cube of 1 m and 1000 kg on a floor, which may go up and turn about y, and is shaken."""
+    """A cube of 1 m and 1000 kg on a floor; it may move vertically, turn about y, and is shaken."""
     up, about = np.array([False, False, True]), np.array([False, True, False])
     one = box("one", [0.0, 0.0, 0.5], [0.5] * 3, **{"free": up, "free_spin": about, **given_block})
     wave = Harmonic(np.array([1.0, 0.0, 0.0]), np.ones(3))

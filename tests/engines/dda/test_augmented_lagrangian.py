@@ -1,4 +1,4 @@
-"""Claims about dda/augmented-lagrangian: nothing sinks, kn is no matter, blows do not rebound."""
+"""Claims about dda/augmented-lagrangian: no sinking, no influence of kn, no rebound."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def deepest(done: Run) -> float:
 
 
 def closes(done: Run) -> None:
-    """Every joule has a term, no audit is exceeded and no part of a step is kept unconverged."""
+    """The energy balance holds, no audit is exceeded, and no part of a step remains unconverged."""
     ledger = done.ledger
     assert ledger is not None
     assert ledger.bound is not None
@@ -79,7 +79,7 @@ RESTING = {
 @pytest.mark.parametrize("kn", [1e7, 1e9, 1e11])
 @pytest.mark.parametrize("name", RESTING)
 def test_what_rests_no_longer_sinks_by_its_weight_over_the_springs(name: str, kn: float) -> None:
-    """Its springs are left HELD of the force at most, or a gap that is rounding."""
+    """Its springs carry at most HELD of the force, or their gap is rounding."""
     scene, points = RESTING[name]
     weight = G * sum(block.mass for block in scene.blocks)
     far = max(float(np.linalg.norm(block.vertices, axis=1).max()) for block in scene.blocks)
@@ -93,10 +93,10 @@ def test_what_rests_no_longer_sinks_by_its_weight_over_the_springs(name: str, kn
 
 
 def test_answers_do_not_depend_on_the_springs_over_six_decades() -> None:
-    """Forces are right to HELD of themselves, and rounding of gaps adds 2 blur/dt^2 to g."""
+    """Forces have a relative error of HELD, and rounding of gaps adds 2 blur/dt^2 to g."""
     paths = [moved(run(asked(SHAKEN, 1e-3, kn, 1.0), BORNE)) for kn in (1e6, 1e8, 1e10, 1e12)]
     (block,) = SHAKEN.blocks
-    far = float(np.linalg.norm(block.vertices, axis=1).max()) + 0.6  # the base goes so far
+    far = float(np.linalg.norm(block.vertices, axis=1).max()) + 0.6  # displacement of the base
     blur = 2 * ROUNDINGS * EPS * far / 1e-3**2 / G
     for path in paths[1:]:
         assert np.abs(path - paths[0]).max() <= (HELD + blur) * np.abs(paths[0]).max()
@@ -135,7 +135,7 @@ def test_every_joule_has_a_term_and_laws_are_kept(scene: Scene) -> None:
 
 
 def test_a_block_that_lands_stays_down_and_its_blow_takes_all_of_its_energy() -> None:
-    """On springs of DDA's own step it would be thrown up again; here it is down within a step."""
+    """On springs with DDA's own step it would rebound; here it is at rest within a step."""
     height = 0.1
     falls = box((0.2, 0.2, 0.1), 2000.0, np.array([0.0, 0.0, 0.1 + height]))
     scene = Scene((FLOOR, falls), Contact(math.inf, mu=0.5), gravity=DOWN)
@@ -152,7 +152,7 @@ def test_a_block_that_lands_stays_down_and_its_blow_takes_all_of_its_energy() ->
 
 @pytest.mark.parametrize("xi", [1.0, 1e-2, 1e-4, 1e-6])
 def test_a_wedge_slides_down_the_narrowest_groove(xi: float) -> None:
-    """Errors are those of forces, HELD, which friction leaves as much of the pull as it takes."""
+    """Errors are those of forces, HELD, over the part of the driving force that friction leaves."""
     ask = wedge(xi, 30.0, 0.5, Knobs(1e-2, 1e9))
     done = run(ask, BORNE)
     way = moved(done) @ ask.scene.axes[0]
@@ -162,7 +162,7 @@ def test_a_wedge_slides_down_the_narrowest_groove(xi: float) -> None:
 
 
 def test_a_wedge_that_friction_all_but_holds_begins_to_slide_as_it_should() -> None:
-    """Its first slips are 1e-11 m; friction across them would wedge it, and hold it back."""
+    """Its first slips are 1e-11 m; friction across them would hold it."""
     near = {**SHAKEN_WEDGE.defaults("level"), "dip": 33.2, "xi": 1.18, "A": 1.92, "duration": 0.3}
     trial = SHAKEN_WEDGE.declare("level", near)
     done = run(trial.study.ask(Knobs(1e-4, 1e10)), BORNE)

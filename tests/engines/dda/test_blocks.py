@@ -1,4 +1,4 @@
-"""Claims about the general route of DDA: blocks that turn, strain and touch each other."""
+"""Claims about the general route of DDA: blocks that rotate, strain and touch each other."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_the_smallest_model_is_built() -> None:
 
 @pytest.mark.parametrize("angle", [0.7, math.pi])
 def test_friction_does_not_know_the_frame(angle: float) -> None:
-    """A diagonal launch on a slope, turned about the vertical; by pi it is the mirrored slope."""
+    """A diagonal launch on a slope, rotated about the vertical; by pi it is the mirrored slope."""
     scene = slope(30, 25, spin=True)
     diagonal = np.array([0.3, 0.4, 0.0]) @ scene.axes
     body = dataclasses.replace(scene.blocks[0], velocity=diagonal)
@@ -84,7 +84,7 @@ def test_friction_does_not_know_the_frame(angle: float) -> None:
 def test_the_order_of_blocks_does_not_matter_and_runs_repeat_bit_by_bit(
     free_spin: Mask, within: float
 ) -> None:
-    """Between blocks that turn it decides whose face gives the normal, which is a little askew."""
+    """For rotating blocks it decides which face gives the normal; faces are not quite parallel."""
     scene = stack(free_spin)
     one, again = (run(watching(scene, (1, 2), 0.2), DEFAULT) for _ in range(2))
     other = run(watching(with_bodies_reversed(scene), (1, 0), 0.2), DEFAULT)
@@ -95,7 +95,7 @@ def test_the_order_of_blocks_does_not_matter_and_runs_repeat_bit_by_bit(
 
 
 def test_blocks_pass_momentum_on_and_lose_none() -> None:
-    """Two boxes meet in free flight, edge on face, with friction."""
+    """Two boxes collide in free flight, edge on face, with friction."""
     one = box((0.5, 0.5, 0.5), 1000.0, np.zeros(3), free_spin=ALL, velocity=np.array([1.0, 0, 0]))
     turned = rotation_about_z(0.3)
     two = box((0.3, 0.3, 0.3), 3000.0, np.array([0.9, 0.2, 0.1]), turned.T, free_spin=ALL)
@@ -119,7 +119,7 @@ def test_a_stack_at_rest_stays_at_rest() -> None:
 
 @pytest.mark.parametrize("way", [PUBLISHED, DEFAULT], ids=["first order", "finite"])
 def test_a_turning_block_grows_only_if_its_rotations_are_of_first_order(way: Formulation) -> None:
-    """Inertia, and kinetic energy at constant spin, go as the area: (1 + (th/n)^2)^n."""
+    """Inertia, and kinetic energy at constant spin, grow as the area: (1 + (th/n)^2)^n."""
     n, dt, w = 100, 1e-2, 3.0
     body = box((0.5, 0.3, 0.1), 1000.0, free_spin=ALL, spin=np.array([0.0, 0.0, w]))
     done = run(asked(Scene((body,), Contact(math.inf)), dt, 1e8, n * dt), way)

@@ -1,4 +1,4 @@
-"""Claims about the step of DDA, its ledger, and the code that the framework sees."""
+"""Claims about the step of DDA, its ledger, and its adapter."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_stiff_contacts_have_two_real_roots_that_go_back_to_one(O: float) -> Non
 
 
 def test_the_step_is_first_order_at_a_fixed_stiffness() -> None:
-    """Through the first slip; no kink of friction lies in it."""
+    """The run ends after the first slip; friction does not change its sign in it."""
     scene, kn, steps = slope(20, 22, A=5.0), 1e7, (4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4)
     late, mean = errors(scene, kn, steps, LAGGED), errors(scene, kn, steps, DEFAULT)
     assert np.polyfit(np.log(steps), np.log(late), 1)[0] == pytest.approx(1.0, abs=0.2)
@@ -71,7 +71,7 @@ def test_the_step_is_first_order_at_a_fixed_stiffness() -> None:
 
 
 def errors(scene: Scene, kn: float, steps: tuple[float, ...], way: Formulation) -> Vector:
-    """Of displacements in a run in these steps [s], against a fine one."""
+    """The errors of displacements in runs with these steps [s], relative to a fine step."""
     paths = [moved(run(asked(scene, dt, kn, 0.4, 0.02), way)) for dt in (*steps, 1e-5)]
     return np.array([np.abs(path - paths[-1]).max() for path in paths[:-1]])
 
@@ -81,7 +81,7 @@ def errors(scene: Scene, kn: float, steps: tuple[float, ...], way: Formulation) 
 def test_shaking_is_felt_in_the_middle_of_a_step_and_by_replicas_at_its_end(
     system: Callable[[Ask, Formulation], Run], way: Formulation
 ) -> None:
-    """What is felt a part p into a step changes speeds by (p - 1/2) dt (a(t) - a(0)) too much."""
+    """Evaluated a part p into a step, shaking adds (p - 1/2) dt (a(t) - a(0)) to velocities."""
     scene, dt, omega, dip = slope(20, 0, A=5.0), 2e-3, 2 * math.pi, math.radians(20)
     done, along = system(asked(scene, dt, 1e8, 0.4, 0.1), way), 5.0 * math.cos(dip)
     t = done.times
@@ -107,7 +107,7 @@ def test_energy_is_accounted_for_and_never_created(scheme: str, kn: float) -> No
 
 
 def test_friction_within_mu_n_is_audited_where_it_is_promised() -> None:
-    """Friction that lags exceeds it by about a hundredth of the largest force, and says so."""
+    """Friction that lags exceeds it by about a hundredth of the largest force, and is reported."""
     ask = asked(shaken((0.1, 0.1, 0.1), (2, 4, 1), 0.6), 1e-3, 1e9, 1.0)
     law = "Coulomb: friction beyond mu N [N]"
     for system in (run, general):
@@ -120,7 +120,9 @@ def test_friction_within_mu_n_is_audited_where_it_is_promised() -> None:
         for done in (sure.ledger, late.ledger):
             assert set(done.audits) >= {"error of the momentum balance [N]", "penetration [m]"}
             adrift, _ = done.audits["error of the momentum balance [N]"]
-            assert adrift > 0.0  # rounding of a thousand steps: an audit that hears nothing is deaf
+            assert (
+                adrift > 0.0
+            )  # rounding of a thousand steps; zero would mean that nothing is audited
     beyond = re.search(r"([0-9.]+) N beyond mu N", late.model.note if late.model else "")
     assert beyond is not None
     assert float(beyond[1]) > 10.0

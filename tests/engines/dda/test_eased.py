@@ -1,4 +1,4 @@
-"""Claims about the start of wedges in `dda`: friction that does not hold is let go before t = 0."""
+"""Claims about the start of wedges in `dda`: friction that cannot hold is released before t = 0."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from vv.plan.project import find
 from vv.scene import Contact
 
 SHAKEN_WEDGE, WEDGE = (find().load_case(name) for name in ("shaken-wedge", "wedge"))
-HARDLY = {"dip": 33.2, "xi": 1.18, "A": 1.92}  # friction all but holds it: speeds do not die away
+HARDLY = {"dip": 33.2, "xi": 1.18, "A": 1.92}  # friction almost holds it: velocities do not decay
 
 
 def off(given: dict[str, float], way: Formulation, knobs: Knobs) -> float:
-    """The largest error of the way down the groove, over the largest way."""
+    """The largest error of the displacement along the groove, over the largest displacement."""
     trial = SHAKEN_WEDGE.declare("level", {**SHAKEN_WEDGE.defaults("level"), **given})
     (s,) = trial.quantities
     assert isinstance(s, Series)
@@ -30,7 +30,7 @@ def off(given: dict[str, float], way: Formulation, knobs: Knobs) -> float:
 
 
 def test_a_wedge_that_starts_to_slide_is_as_right_as_the_step_and_not_as_the_springs() -> None:
-    """A sine of 1 Hz is sampled half a step late, 2 pi dt/2 of a part of its way."""
+    """A sine of 1 Hz is sampled half a step late: a relative error of 2 pi dt/2 in displacement."""
     thrown = dataclasses.replace(DEFAULT, eased=0)
     for kn in (1e9, 1e10):
         assert off({}, DEFAULT, Knobs(1e-3, kn)) <= 2e-4
@@ -41,7 +41,7 @@ def test_a_wedge_that_starts_to_slide_is_as_right_as_the_step_and_not_as_the_spr
 
 
 def test_what_friction_holds_stays() -> None:
-    """It moves by what presses its springs and no farther; a third of the friction lets it go."""
+    """It moves by the compression of its springs only; a third of the friction releases it."""
     ask = WEDGE.declare("xi-1", {**WEDGE.defaults("xi-1"), "held": 0.5}).study.ask(Knobs(1e-3, 1e9))
     (block,), mu = ask.scene.blocks, 3.0 * ask.scene.contact.mu
     pressed = 9.81 * block.mass / (8 * 1e9)

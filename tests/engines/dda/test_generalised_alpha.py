@@ -1,4 +1,4 @@
-"""Claims about dda/generalised-alpha: second order, an exact ledger, Coulomb's law kept."""
+"""Claims about dda/generalised-alpha: second order, an exact ledger, Coulomb's law obeyed."""
 
 from __future__ import annotations
 

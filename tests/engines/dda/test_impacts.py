@@ -1,4 +1,4 @@
-"""Claims about impacts in dda: it returns of them what its springs do, by an independent route."""
+"""Claims about impacts in dda: the rebound is that of its springs, by an independent route."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ KN = 1e8
 
 
 def on_springs(duration: float, dt: float) -> Vector:
-    """Where the middle of Painleve's rod comes to (x, z) [m], its end on springs KN and SHEAR KN.
+    """The displacement (x, z) [m] of the middle of Painleve's rod, with springs KN and SHEAR KN.
 
-    A rod of mass m and length 2 l turns by y about its middle, a step of Euler's at a time.
+    A rod of mass m and length 2 l rotates about y through its middle, by Euler steps.
     """
     m, half, mu, g = P["m"], P["half"], P["mu"], P["g"]
     ks, inertia = SHEAR * KN, P["m"] * P["half"] ** 2 / 3
@@ -45,7 +45,7 @@ def on_springs(duration: float, dt: float) -> Vector:
 
 
 def test_the_rebound_of_a_rod_that_jams_is_that_of_its_springs_and_damped_by_the_step() -> None:
-    """So it does not vanish with the step: rigid contact of restitution nil is another law."""
+    """It does not vanish with the step: rigid contact with restitution zero is another law."""
     study = CASE.declare("mu-2", P).study
     duration = study.goal.duration
     due, ends = on_springs(duration, 1e-6), []

@@ -1,4 +1,4 @@
-"""A block that cannot turn and touches nothing falls: nothing presses it on a wall far below."""
+"""Claims about a block without rotations far above its wall: it falls as if there were no wall."""
 
 from pathlib import Path
 

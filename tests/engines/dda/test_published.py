@@ -1,4 +1,4 @@
-"""Claims about what the published benchmarks show of DDA, and why."""
+"""Claims about what published benchmarks show about DDA, and why."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from vv.scene import Contact, Scene
 
 
 def start_velocity(phi: float, kn: float, mass: float) -> float:
-    """What a block on a slope of 28 degrees gains before its shear springs slip, in closed form.
+    """The velocity that a block on a slope of 28 degrees gains before its shear springs slip.
 
-    It swings on them until x = mu g cos(alpha)/w_s^2, w_s^2 = sum ks/m; less the velocity that a
-    rigid contact would have let it reach by then.
+    In closed form: it oscillates on them until x = mu g cos(alpha)/w_s^2, w_s^2 = sum ks/m. The
+    velocity that it would have at that time in rigid contact is subtracted.
     """
     s, c = math.sin(math.radians(28)), math.cos(math.radians(28)) * math.tan(math.radians(phi))
     w = math.sqrt(4 * 0.4 * kn / mass)
@@ -40,7 +40,7 @@ def start_velocity(phi: float, kn: float, mass: float) -> float:
 def test_error_under_gravity_rises_with_phi_as_the_late_slip_of_shear_springs_says(
     kn: float,
 ) -> None:
-    """The steeper the friction, the nearer the gain is to all of mu g cos(alpha)/w_s."""
+    """The larger the friction angle, the closer the gain is to mu g cos(alpha)/w_s."""
     errors, parts = [], []
     for phi in (5, 10, 15, 20, 25):
         scene = slope(28, phi)
@@ -72,7 +72,7 @@ def test_newmark_histories_are_within_one_percent_most_of_the_time(phi: int, sch
 
 
 def stiffness_errors(way: Formulation, dt: float) -> list[float]:
-    """Fig. 23: max |e|/max |ref| of the horizontal path over kn = 1e7 ... 1e10 N/m a point."""
+    """Fig. 23: max |e|/max |ref| of the horizontal path for kn = 1e7 ... 1e10 N/m per point."""
     scene, errors = shaken((0.1, 0.1, 0.1), (2.0, 4.0, 1.0), 0.6), []
     t = History(5.0, 0.01).times(dt)
     exact = responding_block.three_directions(
@@ -118,7 +118,7 @@ def test_springs_charged_with_the_loads_start_a_slide_without_a_jolt() -> None:
 
 
 def test_springs_let_go_by_every_slip_creep_where_the_slope_alone_takes_much_of_friction() -> None:
-    """They start anew unloaded, swing beyond what friction bears, and slip again at every stop."""
+    """They start again unloaded, oscillate beyond the friction limit, and slip at every stop."""
     scene, errors = slope(45, 50, A=2.0), []
     for way in (DEFAULT, PUBLISHED):
         done = run(asked(scene, 1e-4, 1e9, 5.0), way)
@@ -140,7 +140,7 @@ def test_the_responding_block_follows_the_located_events_in_one_direction(
 
 
 def test_a_little_kinetic_damping_holds_a_sliding_block_back() -> None:
-    """It nears the terminal velocity a D (1 + dd)/(2 (1 - dd)), whatever the slope pulls."""
+    """It approaches the terminal velocity a D (1 + dd)/(2 (1 - dd)) for any slope."""
     scene = slope(28, 20)
     ends = [
         moved(run(asked(scene, 1e-3, 1e8, 1.0), dataclasses.replace(PUBLISHED, dd=dd)))[-1]
@@ -153,7 +153,7 @@ def test_a_little_kinetic_damping_holds_a_sliding_block_back() -> None:
 
 
 def test_a_dynamic_parameter_a_thousandth_below_one_spoils_both_benchmarks() -> None:
-    """Yagoda-Biran (2016) set it to 1 for both, and ascribe what is left to the step alone."""
+    """Yagoda-Biran (2016) set it to 1 for both, and attribute the remaining error to the step."""
     newmark, carried = slope(20, 30, A=5.0), shaken((0.1, 0.1, 0.1), (2.0, 4.0, 1.0), 0.6)
     t = History(5.0, 0.01).times(1e-3)
     slid = incline.newmark(t, alpha=20, phi=30, A=5.0, f=1.0, g=G, v0=0.0)
@@ -175,7 +175,7 @@ def test_a_dynamic_parameter_a_thousandth_below_one_spoils_both_benchmarks() -> 
 
 @pytest.mark.parametrize(("dt", "printed"), [(1e-2, 0.22568), (1e-3, 0.031756), (1e-4, 0.0032726)])
 def test_kinetic_damping_makes_displacement_vanish_with_the_step(dt: float, printed: float) -> None:
-    """Yagoda-Biran (2016), Fig. 25: 3 % under a constant force of 1 m/s2 for 1 s."""
+    """Yagoda-Biran (2016), Fig. 25: 3 % under a constant acceleration of 1 m/s2 for 1 s."""
     r, N = 0.97, round(1 / dt)
     closed = dt**2 * (N / 2 + r / (1 - r) * (N - (1 - r**N) / (1 - r)))
     scene = Scene((box((0.5, 0.5, 0.5), 1.0),), Contact(math.inf), gravity=np.array([1.0, 0, 0]))

@@ -1,4 +1,4 @@
-"""Claims about what counts as put into a run: every drive's work, else it would be divergence."""
+"""Claims about the energy put into a run: it includes the work of all prescribed motions."""
 
 from __future__ import annotations
 

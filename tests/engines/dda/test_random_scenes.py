@@ -1,4 +1,4 @@
-"""Claims about boxes that fall on one another at random: every step of dda/default ends."""
+"""Claims about boxes that fall on each other at random: every step of dda/default ends."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PLANE, TURNING = np.array([True, False, True]), np.array([False, True, False])
 
 
 def thrown(seed: int, count: int) -> tuple[Block, ...]:
-    """So many boxes above one another, none of which touches another, thrown and spinning."""
+    """A number of boxes above one another, none in contact with another, thrown and spinning."""
     chance, blocks, top = np.random.default_rng(seed), [], 0.0
     for _ in range(count):
         half = chance.uniform(0.1, 0.5, 3)
@@ -42,7 +42,7 @@ def thrown(seed: int, count: int) -> tuple[Block, ...]:
 
 
 def unended(scene: Scene, dt: float, kn: float, way: Formulation) -> float:
-    """Parts of steps that were kept though contacts still changed; laws are audited beside."""
+    """The number of parts of steps accepted although contacts still changed; audits are checked."""
     program = prepare(Ask(scene, History(0.8, 0.02), (Displacement(1),), Knobs(dt, kn)), way)
     done = program.run(program.solve())
     assert done.status is Status.RAN, done.reason
@@ -69,7 +69,7 @@ def test_newtons_iteration_is_what_ends_them() -> None:
 
 
 def test_blocks_that_rest_on_nothing_stay_where_they_are_as_others_are_pressed() -> None:
-    """Steps almost without inertia threw them through one another, which ended in an error."""
+    """Steps almost without inertia threw them through each other, which ended in an error."""
     for seed in (0, 5, 6, 7, 10, 13):
         blocks = thrown(seed, 3)
         scene = Scene((FLOOR, *blocks), Contact(math.inf, mu=0.4), gravity=DOWN)

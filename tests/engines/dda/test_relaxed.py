@@ -1,4 +1,4 @@
-"""Claims about elastic blocks that start strained by their loads: they are in balance."""
+"""Claims about elastic blocks that are strained by their loads at t = 0: they are balanced."""
 
 import dataclasses
 
@@ -16,7 +16,7 @@ P = CASE.defaults("pressed")
 
 
 def seen(relaxed: bool) -> Run:
-    """The block of `elastic-block:pressed` over 50 steps."""
+    """The results for the block of `elastic-block:pressed` over 50 steps."""
     scene = CASE.declare("pressed", P).study.scene
     bodies = [
         dataclasses.replace(body, elastic=Elastic(P["E"], P["nu"], relaxed))

@@ -20,7 +20,7 @@ A = MU * G
 
 
 def slide(steps: float, direction: float) -> Scene:
-    """A cube of 3389 kg that slides on a level floor, to stop after so many steps of DT."""
+    """A cube of 3389 kg on a level floor, which slides and stops after a number of steps DT."""
     way = np.array([math.cos(direction), math.sin(direction), 0.0])
     body = dataclasses.replace(box((0.5, 0.5, 0.5), 3389.0), velocity=steps * A * DT * way)
     return Scene((FLOOR, body), Contact(math.inf, mu=MU), gravity=DOWN)
@@ -37,7 +37,7 @@ def created(done: Run) -> float:
 def test_a_slide_of_few_steps_ends_where_it_should_and_nothing_creeps_on(
     steps: float, direction: float, kn: float
 ) -> None:
-    """A step that ends at rest misplaces the stop by a(dt/2)^2/2, and springs swing by mu N/ks."""
+    """A step that ends at rest misplaces the stop by a(dt/2)^2/2; springs oscillate by mu N/ks."""
     ask = asked(slide(steps, direction), DT, kn, 0.1, DT)
     way = moved(run(ask, DEFAULT)) @ np.array([math.cos(direction), math.sin(direction), 0.0])
     right = 0.5 * A * (steps * DT) ** 2
@@ -65,7 +65,7 @@ def test_a_plate_that_may_turn_stops_too() -> None:
 
 
 def test_friction_that_lags_is_left_as_it_is_and_creeps() -> None:
-    """The replica: a block of 3.4 steps goes back and forth, which default's law forbids."""
+    """The replica: a block of 3.4 steps moves back and forth, which the law of default excludes."""
     way = moved(run(asked(slide(3.4, 0.0), DT, 1e9, 0.1, DT), LAGGED))[:, 0]
     assert abs(way[-1] - way[len(way) // 2]) > 1e-5
 
@@ -75,8 +75,9 @@ def test_friction_that_lags_is_left_as_it_is_and_creeps() -> None:
 def test_a_slide_that_turns_leaves_the_turn_up_to_half_a_step_s_slowing_too_fast(
     late: float, dt: float
 ) -> None:
-    """Thrown up a slope of 20 degrees it turns a part of a step late, and friction does so on whole
-    steps: up to half of what one step slows it by is left as speed, of which it makes its way.
+    """Thrown up a slope of 20 degrees, it turns within a step, but friction only at the end of one.
+
+    Up to half of the deceleration of one step remains as velocity, and displaces the block.
     """
     slope, mu = math.radians(20.0), 0.98 * math.tan(math.radians(20.0))
     along = np.array([math.cos(slope), 0.0, -math.sin(slope)])

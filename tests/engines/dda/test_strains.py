@@ -1,4 +1,4 @@
-"""Claims about elastic blocks in DDA: law, unknowns, energy, and strains that turn with them."""
+"""Claims about elastic blocks in DDA: law, unknowns, energy, and strains that rotate with them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from vv.standins.why_no_clump import why_no_clump
 
 RHO, HALF, E, NU, KN = 2000.0, (0.3, 0.2, 0.5), 1e9, 0.2, 1e11
 SEEN = (Displacement(1), Strain(1))
-STATIC = Formulation(1e-12, 40, 12, dd=0.0)  # a step hands on no velocity
+STATIC = Formulation(1e-12, 40, 12, dd=0.0)  # a step passes on no velocity
 
 
 def soft(block: Block, young: float = E, poisson: float = NU) -> Block:
@@ -51,14 +51,14 @@ def strains(done: Run) -> Vector:
 
 
 def test_a_block_under_its_own_weight_shows_e_and_nu() -> None:
-    """Its mean stress is rho g h/2; turned askew, scene and all, it says the same."""
+    """Its mean stress is rho g h/2, also if the whole scene is rotated obliquely."""
     turn = rotation_about_z(0.4) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
     stress = RHO * G * HALF[2]
     for scene in (standing(), rotated(standing(), turn)):
         done = solved(scene, STATIC, 1e-3, 0.2)
         assert strains(done)[0] == pytest.approx(0.0, abs=1e-30)
         assert strains(done)[-1] == pytest.approx(stress / E * np.array([NU, NU, -1]), rel=2e-5)
-        sunk = stress * HALF[2] / E  # from where rigid contact had it pressed
+        sunk = stress * HALF[2] / E  # from a start with compressed springs
         assert done.values[Displacement(1)][-1] @ scene.axes[2] == pytest.approx(-sunk, rel=2e-5)
 
 
@@ -104,7 +104,7 @@ def test_strains_are_unknowns_along_free_directions_of_elastic_blocks_alone(
 
 
 def test_blocks_of_different_stiffness_each_have_their_own() -> None:
-    """Two on one another: the lower bears its own weight by half and the upper's whole."""
+    """Of two blocks, the lower one carries half of its own weight and all of the upper one."""
     low, top = (box((0.5, 0.5, 0.25), RHO, np.array([0, 0, z])) for z in (0.25, 0.75))
     stack = (FLOOR, soft(low, 1e9, 0.0), soft(top, 3e9, 0.0))
     scene = Scene(stack, Contact(math.inf), gravity=DOWN)
@@ -143,8 +143,10 @@ ALONG = RHO * SPIN**2 * np.array(ROD) ** 2 / 3 * [1, 1, 0]  # Pa: stress in a ro
 
 
 def spun(way: Formulation, turns: float) -> tuple[Vector, Vector, float]:
-    """Strains (3,) of a free rod along the scene's axes at the end, and strain of its shape (3, 3)
-    in its own; the part it keeps of its moment of momentum.
+    """Strains and angular momentum of a free rod at the end.
+
+    Strains (3,) along the scene's axes, strain of its shape (3, 3) in its own, and the part of its
+    angular momentum that is conserved.
     """
     rod = soft(box(ROD, RHO, np.zeros(3), free_spin=ALL, spin=np.array([0, 0, SPIN])))
     duration = turns * 2 * math.pi / SPIN
@@ -159,7 +161,7 @@ def spun(way: Formulation, turns: float) -> tuple[Vector, Vector, float]:
 
 @pytest.mark.parametrize("turns", [1.0, 1.25])
 def test_a_spinning_rod_keeps_its_stress_and_its_shape(turns: float) -> None:
-    """Stress rho w^2 a^2/3 along each half length a: in the rod's axes, which turn.
+    """Stress rho w^2 a^2/3 along each half length a, in the rod's axes, which rotate.
 
     Its principal axes lag by half a step, 0.004 rad.
     """
@@ -182,11 +184,13 @@ def test_strains_that_stay_behind_shear_what_turns_and_published_says_so() -> No
 
 
 def _turned(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
-    """What kernels alone can call."""
+    """A kernel of a function that only kernels can call."""
     followed(motion, bodies, i, d, terms)
 
 
-turned: Any = numba.njit(_turned)  # not kept on disk, where it would outlive what it calls
+turned: Any = numba.njit(
+    _turned
+)  # not cached on disk, where it would outlive the functions it calls
 
 
 @pytest.mark.parametrize("axis", range(3))

@@ -1,4 +1,4 @@
-"""Claims about blocks that turn freely in DDA, against Euler's equations of a rigid body."""
+"""Claims about blocks that rotate freely in DDA, against Euler's equations of a rigid body."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from vv.gate.judgement import breaches
 from vv.scene import Contact, Scene, Vector
 
 HALF = np.array([0.3, 0.2, 0.4])  # m: inertia is least about z, greatest about y
-FLIP = np.array([5.0, 0.2, 0.0])  # 1/s: about the axis between, and a little askew
+FLIP = np.array([5.0, 0.2, 0.0])  # 1/s: about the intermediate axis, and slightly oblique
 
 
 @functools.cache
 def euler(spin: tuple[float, ...], duration: float) -> Vector:
-    """The rotation (3, 3) of a box that began with this spin: dL/dt = 0, L = R I R^T w."""
+    """The rotation (3, 3) of a box with this initial spin: dL/dt = 0, L = R I R^T w."""
     inertia = box("free", np.zeros(3), HALF).inertia
     moment = inertia @ spin
 
@@ -38,7 +38,7 @@ def euler(spin: tuple[float, ...], duration: float) -> Vector:
 def spun(
     spin: Vector, duration: float, dt: float, way: Formulation = DEFAULT
 ) -> tuple[Vector, Vector, Vector]:
-    """Its rotation, moment of momentum [kg m2/s] and kinetic energy [J] as DDA has them then."""
+    """Rotation, angular momentum [kg m2/s] and kinetic energy [J] of the box in DDA at the end."""
     block = box("free", np.zeros(3), HALF, spin=spin)
     goal = History(duration, duration)
     scene = Scene((block,), Contact(np.inf))
@@ -70,7 +70,7 @@ def test_a_free_box_turns_as_eulers_equations_say_to_second_order(spin: tuple[fl
 
 
 def test_a_box_spun_about_its_middle_axis_turns_over() -> None:
-    """That axis points the other way after 5 s, when Euler's equations say: halfway at 2.6 s."""
+    """That axis is reversed after 5 s, as Euler's equations say, and halfway at 2.6 s."""
     for time, points in ((2.6, 0.0), (5.0, -1.0)):
         rotation, _, _ = spun(FLIP, time, 2e-3)
         assert rotation[0, 0] == pytest.approx(points, abs=0.02)
@@ -78,7 +78,7 @@ def test_a_box_spun_about_its_middle_axis_turns_over() -> None:
 
 
 def test_the_published_step_has_no_gyroscopic_torque_and_says_so() -> None:
-    """Its spin stays as it was, while its moment of momentum goes round with it."""
+    """Its spin remains constant, while its angular momentum rotates with it."""
     spin = np.array([1.0, 5.0, 2.0])
     block = box("free", np.zeros(3), HALF, spin=spin)
     _, kept, _ = spun(spin, 1.0, 1e-4, PUBLISHED)

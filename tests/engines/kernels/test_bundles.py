@@ -62,7 +62,7 @@ def test_a_bundle_is_a_named_tuple_to_python() -> None:
     whole = nest(2)
     assert isinstance(whole, tuple)
     assert whole.pair._replace(scale=1.0).scale == 1.0
-    assert Pair.__doc__ == "numbers: (n,)."
+    assert Pair.__doc__ == "A bundle; numbers: (n,)."
 
 
 def test_kernels_make_bundles_and_read_those_within_others() -> None:
