@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -214,9 +215,11 @@ def test_a_program_that_states_the_cost_of_its_steps_is_taken_at_its_word(tmp_pa
 
 
 def test_without_it_the_cost_is_that_of_the_whole_process_and_marked_so(tmp_path: Path) -> None:
-    run = answer(tmp_path, WRITE(GOOD))
+    begun = time.perf_counter()
+    run = answer(tmp_path, "sleep 0.1\n" + WRITE(GOOD))
     assert run.cost.whole
     assert 0 < run.cost.solve_cpu < 1
+    assert 0.1 <= run.cost.solve_wall <= time.perf_counter() - begun
     assert run.model is not None
     assert run.model.note == "its cost is that of the whole process, start and output included"
 

@@ -146,3 +146,17 @@ def test_what_did_not_run_says_why(status: Status, answered: Answered) -> None:
     assert judged(ALL, SCENES["lock"], runs) == CheckResult(
         answered, f"{status.value}: for a reason"
     )
+
+
+def test_what_skids_yields_and_stops_at_outputs_and_is_told_so_at_every_step() -> None:
+    """At a tenth and four tenths of the run, where no step ends within a phase."""
+    tiny = SCENES["skid"]
+    _, speed = tiny.motion(tiny.duration * np.array([0.1, 0.4 - 1e-6, 0.4, 0.4 + 1e-6]))
+    way = speed @ friction.ACROSS
+    law = tiny.scene.contact
+    assert way[0] == pytest.approx(np.cos(friction.SLIPS), rel=1e-9)
+    assert law.mu * friction.PRESSED == pytest.approx(
+        MASS * friction.RATE * np.sin(friction.SLIPS), rel=1e-9
+    )
+    assert way[1] > 0.0 > way[3]
+    assert way[2] == pytest.approx(0.0, abs=1e-5)

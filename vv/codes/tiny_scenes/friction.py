@@ -30,6 +30,8 @@ SLIPS = 0.547161  # rad of its swing, a, at which it slips; with a tan a = 1/3 i
 RATE = 10 * SLIPS / LASTING  # 1/s, so that both moments are multiples of the steps
 PRESSED, DEPTH = 60.0, 2e-4  # N, m
 TURNING = 3.5  # times as fast slip of a sphere changes that is free to turn: 1 + 5/2
+TURNED_BACK = -1.5  # the same if friction turns it the other way: 1 - 5/2, so that slip grows
+BACK = (-TURNED_BACK / TURNING) ** 0.5  # rate of its growth over that of the swing
 STIFF, ROUGH, FAST = 1500.0, 0.3, 2.0  # N/m, -, m/s, of slip on a viscous contact
 UNLIMITED = "friction has no limit, or twice the right one"
 REVERSED = "the shear force is reversed"
@@ -43,7 +45,7 @@ def skid(terms: Terms) -> TinyScene:
         "the shear spring is twice as stiff": _skid(np.sqrt(2) * RATE, 0.5 * _reach(RATE)),
         "the shear spring is half as stiff": _skid(np.sqrt(0.5) * RATE, 2 * _reach(RATE)),
         UNLIMITED: _skid(RATE, np.inf),
-        REVERSED: along(ACROSS, _driven),
+        REVERSED: along(ACROSS, _driven(RATE)),
     }
     return _on_floor("skid", 1.0, _skid(RATE, _reach(RATE)), wrong, turns=False)
 
@@ -55,8 +57,8 @@ def roll(terms: Terms) -> TinyScene:
         "friction is left out": thrown(0 * Z, ACROSS),
         "friction is half as strong": _roll(0.5 * _reach(RATE)),
         UNLIMITED: _roll(np.inf),
-        REVERSED: _of_centre(_driven),
-        "friction turns it the other way": _turned_back(),
+        REVERSED: _of_centre(_driven(RATE)),
+        "friction turns it the other way": _of_centre(_driven(RATE * BACK), TURNED_BACK),
     }
     made = _on_floor("roll", TURNING, _roll(_reach(RATE)), wrong, turns=True)
     return dataclasses.replace(made, smooth=False)  # codes measure levers to either surface
@@ -110,34 +112,35 @@ def _skid(rate: float, reach: float) -> Motion:
     return along(ACROSS, lambda t: _slip(t, rate, reach))
 
 
-def _driven(t: Vector) -> tuple[Vector, Vector]:
-    """Slip [m] and its rate from 1 m/s, where the spring drives on what it should hold."""
+def _driven(rate: float) -> Way:
+    """Slip [m] and its rate from 1 m/s, where the spring drives on what it should hold.
+
+    rate: 1/s, at which slip grows while the spring, which yields where that of RATE does, holds.
+    """
     reach = _reach(RATE)
-    begins = float(np.arcsinh(reach * RATE)) / RATE
-    on, slides = np.minimum(t, begins), np.maximum(t - begins, 0.0)
-    drive = reach * RATE**2
-    moved = np.sinh(RATE * on) / RATE + np.cosh(RATE * begins) * slides + drive * slides**2 / 2
-    return moved, np.cosh(RATE * on) + drive * slides
+    begins = float(np.arcsinh(reach * rate)) / rate
+    drive = reach * rate**2
+
+    def way(t: Vector) -> tuple[Vector, Vector]:
+        on, slides = np.minimum(t, begins), np.maximum(t - begins, 0.0)
+        moved = np.sinh(rate * on) / rate + np.cosh(rate * begins) * slides + drive * slides**2 / 2
+        return moved, np.cosh(rate * on) + drive * slides
+
+    return way
 
 
 def _roll(reach: float) -> Motion:
     return _of_centre(lambda t: _slip(t, RATE, reach))
 
 
-def _of_centre(slip: Way) -> Motion:
+def _of_centre(slip: Way, turning: float = TURNING) -> Motion:
     """The motion of the centre, which loses 1/3.5 of what the slip loses; the spin the rest."""
 
     def way(t: Vector) -> tuple[Vector, Vector]:
         moved, speed = slip(t)
-        return t + (moved - t) / TURNING, 1 + (speed - 1) / TURNING
+        return t + (moved - t) / turning, 1 + (speed - 1) / turning
 
     return along(ACROSS, way)
-
-
-def _turned_back() -> Motion:
-    """Slip that grows by what turns, and stays on the limit: 1 - 5/2 in place of 1 + 5/2."""
-    brake = _reach(RATE) * RATE**2 / TURNING
-    return thrown(-brake * ACROSS, ACROSS)
 
 
 def _landing(t: Vector) -> tuple[Vector, Vector]:
