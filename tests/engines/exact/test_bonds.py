@@ -97,6 +97,15 @@ def test_small_motions_are_those_of_the_matrix(eta: float) -> None:
         assert np.abs(moved(run) - exact).max() < 1e-12 * np.abs(exact).max()
 
 
+def test_a_sphere_that_a_bond_alone_sets_going_moves_along_and_across_it() -> None:
+    """Along and across, where the bond is half as stiff, forces are in no ratio of their own."""
+    group = elements(CORNERS[:2], velocity=np.array([[2.0, -1.0, 0.5], [0.0, 0.0, 0.0]]))
+    scene = Scene((group,), Contact(KN), bonds=tied(pairs=EDGES[:1], ks=np.array([KN / 2])))
+    run = solve_linearised(asked(scene))
+    exact = linear(scene, run.times)
+    assert np.abs(moved(run) - exact).max() < 1e-12 * np.abs(exact).max()
+
+
 @pytest.mark.parametrize("amplitude", [1e-6, 0.02, 0.9])
 def test_breathing_is_a_sine_at_any_amplitude(amplitude: float) -> None:
     scene = unit(elements(velocity=amplitude * RATE * OUT))

@@ -169,3 +169,19 @@ def test_a_long_quick_slip_is_the_same_with_its_axes_swapped() -> None:
         bodies = (wall(LEVEL, motion), block(LEVEL, 0 * DOWN))
         ways.append(ran(Scene(bodies, Contact(np.inf, mu=0.6), gravity=DOWN), 5.0).values[BOX])
     assert apart(ways[1][:, [1, 0, 2]], ways[0]) < 5e-12
+
+
+@pytest.mark.parametrize("quicker", [1e-5, 1e5])
+def test_a_slip_that_is_quicker_at_every_time_is_as_much_smaller(quicker: float) -> None:
+    """With accelerations as they are, frequencies so many times higher divide ways by its square.
+
+    When rest ends is found as well among microseconds as among days.
+    """
+    slow = shaken_slope(3)
+    drive = slow.shaking
+    assert isinstance(drive, Harmonic)
+    fast = dataclasses.replace(
+        slow, shaking=dataclasses.replace(drive, frequency=quicker * drive.frequency)
+    )
+    paths = turned(slow, DURATION), turned(fast, DURATION / quicker)
+    assert quicker * paths[1].changes == pytest.approx(paths[0].changes, rel=ROUNDING)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from vv.engines.exact.modes import (
     BACKWARD,
     FORWARD,
@@ -65,7 +67,7 @@ def next_event(  # noqa: PLR0912 - a branch per guard
                 break
             elif guard == 1 and state == PARTED:
                 one, then = -1.0, OPEN
-            elif guard == 2 and equations.depth[c] < 1e300:
+            elif guard == 2 and math.isfinite(equations.depth[c]):
                 one, offset, then = 1.0, equations.depth[c], MET
             elif guard == 1 and spring >= 0 and state == STUCK:
                 one, other, then = -r, -1.0, FORWARD
