@@ -140,6 +140,15 @@ def test_centres_that_meet_end_a_motion() -> None:
     assert f"meet at t = {meet:.6g} s" in run.reason
 
 
+def test_what_would_happen_after_the_end_of_a_run_is_no_part_of_it() -> None:
+    """A run ends within a step that would go on until centres meet."""
+    scene = unit(elements(velocity=1.2 * RATE * OUT))
+    meet = (np.pi + np.arcsin(1 / 1.2)) / RATE
+    run = solve(asked(scene, 0.999 * meet))
+    swing = 1.2 * np.multiply.outer(np.sin(RATE * run.times), OUT)
+    assert np.abs(moved(run) - swing).max() < 1e-13 * np.abs(swing).max()
+
+
 def test_bonds_that_turn_are_solved_to_first_order_only() -> None:
     """The remainder is of second order: a tenth of the amplitude leaves a hundredth of it."""
     off = []

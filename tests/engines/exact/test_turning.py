@@ -173,10 +173,7 @@ def test_a_long_quick_slip_is_the_same_with_its_axes_swapped() -> None:
 
 @pytest.mark.parametrize("quicker", [1e-5, 1e5])
 def test_a_slip_that_is_quicker_at_every_time_is_as_much_smaller(quicker: float) -> None:
-    """With accelerations as they are, frequencies so many times higher divide ways by its square.
-
-    When rest ends is found as well among microseconds as among days.
-    """
+    """With the same accelerations; when rest ends is found among microseconds as among days."""
     slow = shaken_slope(3)
     drive = slow.shaking
     assert isinstance(drive, Harmonic)
