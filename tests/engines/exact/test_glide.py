@@ -7,7 +7,7 @@ from decimal import Decimal, localcontext
 
 import pytest
 
-from vv.engines.exact.line.glide import falls
+from vv.engines.exact.line.glide import fall_time
 from vv.engines.kernels.compiled import compiled
 
 HEIGHT, EPS = 1e-12, 2.0**-52
@@ -16,7 +16,7 @@ HEIGHT, EPS = 1e-12, 2.0**-52
 @compiled
 def fallen(x: float, v: float, a: float, n: float) -> float:
     """When it falls through nil, if within nine seconds where drag slows it."""
-    return falls(x, v, a, n, 1e-30, math.inf if n == 0.0 else 9.0)
+    return fall_time(x, v, a, n, 1e-30, math.inf if n == 0.0 else 9.0)
 
 
 def due(x: float, v: float, a: float) -> float:
