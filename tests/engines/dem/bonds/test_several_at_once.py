@@ -6,7 +6,7 @@ from typing import Any
 import numba
 import numpy as np
 
-from vv.engines.dem.bonds.bend import SCRATCH, bend
+from vv.engines.dem.bonds.bend import SCRATCH, compute_block
 from vv.engines.dem.bonds.blocks import ALL, WIDE
 from vv.engines.dem.bonds.law import Frail
 from vv.engines.dem.space.neighbours import State
@@ -22,12 +22,12 @@ def bent(
     breaking = 0
     for k in range(len(table)):
         here = min(WIDE, many - k * WIDE)
-        breaking += bend(scratch, 0, table, k, here, 1e-6, None, ks, None, frail, state)
+        breaking += compute_block(scratch, 0, table, k, here, 1e-6, None, ks, None, frail, state)
     return breaking
 
 
 def test_a_block_of_bonds_is_computed_several_at_once() -> None:
-    bend.dispatcher  # type: ignore[attr-defined]  # noqa: B018 - numba is told what kernels need
+    compute_block.dispatcher  # type: ignore[attr-defined]  # noqa: B018 - sets numba up
     kernel: Any = numba.njit(pipeline_class=WholeCompiler, **ENTRY, **ROUNDING)(bent)  # not kept
     table, none = np.ones((2, ALL * WIDE)), np.zeros((0, WIDE), np.uint8)
     assert kernel(np.ones((1, SCRATCH * WIDE)), table, 2 * WIDE, np.ones(1), None, none) == 0

@@ -7,7 +7,14 @@ forces are added to those of the spheres.
 from __future__ import annotations
 
 from vv.engines.dem.bonds.blocks import FIRST, KN, OFFSET, RADII, SLIP, STRAINED, WIDE, Ends
-from vv.engines.dem.bonds.law import Frail, arms, beyond, charged, rolled, stretched
+from vv.engines.dem.bonds.law import (
+    Frail,
+    arms,
+    elongation,
+    exceeds_strength,
+    sheared_by,
+    surface_motion,
+)
 from vv.engines.dem.contact.friction import rotated
 from vv.engines.dem.space.neighbours import State
 from vv.engines.kernels.compiled import inlined
@@ -22,7 +29,7 @@ FORCE, TORQUE, ARMS, NORMAL, SHEARED, HIT, SCRATCH = 12, 15, 18, 20, 21, 22, 23
 
 
 @inlined
-def three(numbers: Vector, k: int, place: int, q: int) -> Triple:
+def vector_of(numbers: Vector, k: int, place: int, q: int) -> Triple:
     """A vector of bond q in row k, without a view of the row: numba counts references to views."""
     return (
         numbers[k, place * WIDE + q],
@@ -32,7 +39,7 @@ def three(numbers: Vector, k: int, place: int, q: int) -> Triple:
 
 
 @inlined
-def note(numbers: Vector, k: int, place: int, q: int, a: Triple) -> None:
+def store_vector(numbers: Vector, k: int, place: int, q: int, a: Triple) -> None:
     """Store a vector of bond q in row k."""
     numbers[k, place * WIDE + q] = a[0]
     numbers[k, (place + 1) * WIDE + q] = a[1]
@@ -40,7 +47,7 @@ def note(numbers: Vector, k: int, place: int, q: int, a: Triple) -> None:
 
 
 @inlined
-def own(table: Vector, like: Like | None, which: int, k: int, q: int) -> float:
+def property_of(table: Vector, like: Like | None, which: int, k: int, q: int) -> float:
     """The stiffness or strength of bond q in block k: 0 kn, 1 ks, 2 tension, 3 shear."""
     if like is not None:
         return like[which]
@@ -49,7 +56,7 @@ def own(table: Vector, like: Like | None, which: int, k: int, q: int) -> float:
 
 
 @inlined
-def fetch(
+def gather_ends(
     scratch: Vector,
     c: int,
     table: Vector,
@@ -70,15 +77,15 @@ def fetch(
         if goes_on:
             begin_to_read(table, k + 1, q * LINE)
         i, j = ends[k, q], ends[k, WIDE + q]
-        note(scratch, c, MOVED, q, add_scaled(at(u, j), -1.0, at(u, i)))
-        note(scratch, c, STEP, q, add_scaled(at(v, j), -1.0, at(v, i)))
+        store_vector(scratch, c, MOVED, q, add_scaled(at(u, j), -1.0, at(u, i)))
+        store_vector(scratch, c, STEP, q, add_scaled(at(v, j), -1.0, at(v, i)))
         if w is not None:
-            note(scratch, c, SPIN_I, q, at(w, i))
-            note(scratch, c, SPIN_J, q, at(w, j))
+            store_vector(scratch, c, SPIN_I, q, at(w, i))
+            store_vector(scratch, c, SPIN_J, q, at(w, j))
 
 
 @inlined
-def bend(
+def compute_block(
     scratch: Vector,
     c: int,
     table: Vector,
@@ -99,43 +106,43 @@ def bend(
     """
     breaking = 0
     for q in range(many):
-        r, moved = three(table, k, OFFSET, q), three(scratch, c, MOVED, q)
+        r, moved = vector_of(table, k, OFFSET, q), vector_of(scratch, c, MOVED, q)
         first, strained = table[k, FIRST * WIDE + q], table[k, STRAINED * WIDE + q]
-        now, n, length, stretch = stretched(r, moved, first, strained)
-        along, across, s = own(table, like, 0, k, q) * stretch, NOWHERE, NOWHERE
+        now, n, length, stretch = elongation(r, moved, first, strained)
+        along, across, s = property_of(table, like, 0, k, q) * stretch, NOWHERE, NOWHERE
         if ks is not None:
-            m = add_scaled(NOWHERE, dt, three(scratch, c, STEP, q))
-            half, s = add_scaled(now, -0.5, m), three(table, k, SLIP, q)
+            m = add_scaled(NOWHERE, dt, vector_of(scratch, c, STEP, q))
+            half, s = add_scaled(now, -0.5, m), vector_of(table, k, SLIP, q)
             if w is not None:
                 radii = table[k, RADII * WIDE + q], table[k, (RADII + 1) * WIDE + q]
-                spins = three(scratch, c, SPIN_I, q), three(scratch, c, SPIN_J, q)
-                m, twist = rolled(m, half, dt, spins[0], spins[1], radii[0], radii[1])
-            s = charged(s, m, half)
+                spins = vector_of(scratch, c, SPIN_I, q), vector_of(scratch, c, SPIN_J, q)
+                m, twist = surface_motion(m, half, dt, spins[0], spins[1], radii[0], radii[1])
+            s = sheared_by(s, m, half)
             if w is not None:
                 s = rotated(s, n, twist)
-            note(table, k, SLIP, q, s)
-            across = add_scaled(NOWHERE, own(table, like, 1, k, q), s)
+            store_vector(table, k, SLIP, q, s)
+            across = add_scaled(NOWHERE, property_of(table, like, 1, k, q), s)
         if frail is not None:
-            tension, shear = own(table, like, 2, k, q), own(table, like, 3, k, q)
+            tension, shear = property_of(table, like, 2, k, q), property_of(table, like, 3, k, q)
             broken = state[k, q] != 0
-            breaks = beyond(along, across, tension, shear, frail[2]) & (not broken)
+            breaks = exceeds_strength(along, across, tension, shear, frail[2]) & (not broken)
             scratch[c, HIT * WIDE + q] = 1.0 if breaks else 0.0
             breaking += 1 if breaks else 0
             along = 0.0 if breaks | broken else along
             across = NOWHERE if breaks | broken else across
         scratch[c, NORMAL * WIDE + q] = 0.5 * along * stretch
-        note(scratch, c, FORCE, q, add_scaled(across, along, n))
+        store_vector(scratch, c, FORCE, q, add_scaled(across, along, n))
         if ks is not None:
             scratch[c, SHEARED * WIDE + q] = 0.5 * dot(across, s)
             if w is not None:
-                note(scratch, c, TORQUE, q, cross(n, across))
+                store_vector(scratch, c, TORQUE, q, cross(n, across))
                 arm_i, arm_j = arms(radii[0], radii[1], length)
                 scratch[c, ARMS * WIDE + q], scratch[c, (ARMS + 1) * WIDE + q] = arm_i, arm_j
     return breaking
 
 
 @inlined
-def hand_out(
+def add_block_forces(
     push: Vector,
     turn: Vector,
     base: int,
@@ -154,14 +161,14 @@ def hand_out(
     normal = sheared = 0.0
     for q in range(many):
         i, j = base + ends[k, q], base + ends[k, WIDE + q]
-        force = three(scratch, c, FORCE, q)
+        force = vector_of(scratch, c, FORCE, q)
         put(push, i, add_scaled(at(push, i), 1.0, force))
         put(push, j, add_scaled(at(push, j), -1.0, force))
         normal += scratch[c, NORMAL * WIDE + q]
         if ks is not None:
             sheared += scratch[c, SHEARED * WIDE + q]
             if w is not None:
-                torque = three(scratch, c, TORQUE, q)
+                torque = vector_of(scratch, c, TORQUE, q)
                 put(turn, i, add_scaled(at(turn, i), scratch[c, ARMS * WIDE + q], torque))
                 put(turn, j, add_scaled(at(turn, j), scratch[c, (ARMS + 1) * WIDE + q], torque))
     return normal, sheared

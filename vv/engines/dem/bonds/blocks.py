@@ -41,7 +41,7 @@ class Blocks(NamedTuple):
     window: Index
 
 
-def blocks(springs: Springs, own: Vector, ground: int) -> Blocks:
+def bond_blocks(springs: Springs, own: Vector, ground: int) -> Blocks:
     """The blocks of springs (`law.py`); own: (4, b) kn, ks and both strengths of each bond."""
     rows, offset, first, strained, _, radius = springs
     # Without shear springs only kn is read: a common value is no faster than that of each bond.

@@ -15,7 +15,7 @@ Frail = tuple[Vector, Vector, float, Index]
 
 
 @inlined
-def stretched(
+def elongation(
     r: Triple, moved: Triple, first: float, strained: float
 ) -> tuple[Triple, Triple, float, float]:
     """The offset of the ends of a bond [m], its normal, length and stretch; r: the offset at t = 0.
@@ -38,7 +38,7 @@ def arms(first: float, second: float, length: float) -> tuple[float, float]:
 
 
 @inlined
-def rolled(
+def surface_motion(
     step: Triple, half: Triple, dt: float, a: Triple, b: Triple, first: float, second: float
 ) -> tuple[Triple, float]:
     """The relative displacement [m] of the surfaces of two spheres in a step, and the twist [rad].
@@ -55,7 +55,7 @@ def rolled(
 
 
 @inlined
-def charged(s: Triple, m: Triple, half: Triple) -> Triple:
+def sheared_by(s: Triple, m: Triple, half: Triple) -> Triple:
     """The shear displacement s of a bond after a step in which its ends moved apart by m [m].
 
     half: the bond vector at the middle of the step. The old s is reflected at the plane normal to
@@ -68,14 +68,14 @@ def charged(s: Triple, m: Triple, half: Triple) -> Triple:
 
 
 @inlined
-def beyond(along: float, across: Triple, tension: float, shear: float, mu: float) -> bool:
+def exceeds_strength(along: float, across: Triple, tension: float, shear: float, mu: float) -> bool:
     """Whether a bond breaks: its pull exceeds `tension`, or its shear force shear - mu times it."""
     most = shear - mu * along
     return (along > tension) | (most < 0.0) | (dot(across, across) > most * most)
 
 
 @inlined
-def kept(along: float, across: Triple, mu: float) -> tuple[float, float]:
+def remaining_force(along: float, across: Triple, mu: float) -> tuple[float, float]:
     """The normal force [N] that a breaking bond keeps, and the fraction of the shear force.
 
     They are those that a contact allows: no tension, and a shear force of at most mu Fn.
@@ -85,7 +85,7 @@ def kept(along: float, across: Triple, mu: float) -> tuple[float, float]:
 
 
 @inlined
-def listed(
+def add_contact(
     p: int, across: Triple, springs: Springs, frail: Frail, slots: Slots, many: Index
 ) -> None:
     """Add the spheres of bond p to the contacts in slots (space/neighbours.py).

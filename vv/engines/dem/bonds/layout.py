@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.bonds.blocks import WIDE, Blocks, blocks
+from vv.engines.dem.bonds.blocks import WIDE, Blocks, bond_blocks
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Near, State
 from vv.scene import Mask, Scene, Term, Vector
@@ -28,9 +28,9 @@ class Bonded(NamedTuple):
     state: State = np.zeros((0, WIDE), np.uint8)
 
 
-def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
-    """The arrays of all bonds with at least one moving end, in the order of `_held`."""
-    bonds, spheres, (pairs, order) = scene.bonds, scene.spheres, _held(scene, moves)
+def bonds_of(scene: Scene, moves: Mask, row: Index) -> Bonded:
+    """The arrays of all bonds with at least one moving end, in the order of `_bonded_pairs`."""
+    bonds, spheres, (pairs, order) = scene.bonds, scene.spheres, _bonded_pairs(scene, moves)
     if bonds is None or not len(pairs):
         return Bonded()
     offset = spheres.position[pairs[:, 1]] - spheres.position[pairs[:, 0]]
@@ -38,13 +38,13 @@ def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
     stretch, ks = first - bonds.length[order], bonds.ks[order]
     kn, tension, shear = bonds.kn[order], bonds.tension[order], bonds.shear[order]
     springs = row[pairs], offset, first, stretch, kn, spheres.radius[pairs]
-    laid = blocks(springs, np.stack([kn, ks, tension, shear]), int(moves.sum()))
+    laid = bond_blocks(springs, np.stack([kn, ks, tension, shear]), int(moves.sum()))
     frail = (tension, shear, scene.contact.mu, pairs) if Term.BREAKAGE in scene.terms() else None
     state = np.zeros((0 if frail is None else len(laid.ends), WIDE), np.uint8)
     return Bonded(springs, ks if ks.any() else None, laid, frail, state)
 
 
-def near(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
+def search_data(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
     """The data of the neighbour search, or None if it is not needed.
 
     It is not needed where no spheres can touch, or where there are few spheres and no bonds, so
@@ -55,13 +55,13 @@ def near(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
         return None
     if scene.bonds is None and len(spheres) < MANY:
         return None
-    skin, (pairs, _) = SKIN * float(spheres.radius.min()), _held(scene, moves)
+    skin, (pairs, _) = SKIN * float(spheres.radius.min()), _bonded_pairs(scene, moves)
     start = np.searchsorted(pairs[:, 0], np.arange(len(spheres) + 1))
     held = start, np.array(pairs[:, 1]), state.reshape(-1)
     return Near(spheres.position, spheres.radius, row, skin, *held, scene.contact.viscous)
 
 
-def _held(scene: Scene, moves: Mask) -> tuple[Index, Index]:
+def _bonded_pairs(scene: Scene, moves: Mask) -> tuple[Index, Index]:
     """The bonded pairs i < j (b, 2) with a moving sphere, sorted, and their bonds (b,)."""
     pairs = np.sort(scene.bonded_pairs, axis=1)
     order = np.lexsort((pairs[:, 1], pairs[:, 0]))

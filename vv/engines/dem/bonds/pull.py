@@ -4,11 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.dem.bonds.bend import SCRATCH, three
+from vv.engines.dem.bonds.bend import SCRATCH, vector_of
 from vv.engines.dem.bonds.blocks import SLIP, WIDE, Blocks
-from vv.engines.dem.bonds.law import Frail, Springs, arms, kept, listed, rolled, stretched
-from vv.engines.dem.bonds.sweep import BREAKS, BROKEN, sweep_all
-from vv.engines.dem.bonds.threads import sweep_shared
+from vv.engines.dem.bonds.law import (
+    Frail,
+    Springs,
+    add_contact,
+    arms,
+    elongation,
+    remaining_force,
+    surface_motion,
+)
+from vv.engines.dem.bonds.sweep import BREAKS, BROKEN, compute_chunks
+from vv.engines.dem.bonds.threads import compute_chunks_in_threads
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Slots, State
 from vv.engines.kernels.compiled import inlined, inlined_called, lent
@@ -19,14 +27,14 @@ Shares = tuple[Vector, Vector, Vector, Vector]
 
 
 @inlined_called
-def shares(chunks: int, rows: int) -> Shares:
+def chunk_arrays(chunks: int, rows: int) -> Shares:
     """Arrays for each chunk: forces and torques (c x rows, 3), scratch, and sums (c, 3)."""
     push, turn = np.zeros((chunks * rows, 3)), np.zeros((chunks * rows, 3))
     return push, turn, np.zeros((chunks, SCRATCH * WIDE)), np.zeros((chunks, 3))
 
 
 @inlined
-def part(
+def break_bond(
     p: int,
     push: Vector,
     turn: Vector | None,
@@ -52,22 +60,22 @@ def part(
     rows, offset, first, strained, kn, radius = springs
     i, j = rows[p, 0], rows[p, 1]
     moved, step = add_scaled(at(u, j), -1.0, at(u, i)), add_scaled(at(v, j), -1.0, at(v, i))
-    now, n, length, stretch = stretched(at(offset, p), moved, first[p], strained[p])
+    now, n, length, stretch = elongation(at(offset, p), moved, first[p], strained[p])
     step = add_scaled(NOWHERE, dt, step)
     along, m, s, across = kn[p] * stretch, step, NOWHERE, NOWHERE
     if ks is not None:
-        s = three(table, p // WIDE, SLIP, p % WIDE)
+        s = vector_of(table, p // WIDE, SLIP, p % WIDE)
         if w is not None:
             half = add_scaled(now, -0.5, step)
-            m, _ = rolled(step, half, dt, at(w, i), at(w, j), radius[p, 0], radius[p, 1])
+            m, _ = surface_motion(step, half, dt, at(w, i), at(w, j), radius[p, 0], radius[p, 1])
         across = add_scaled(NOWHERE, ks[p], s)
-    pressed, share = kept(along, across, frail[2])
+    pressed, share = remaining_force(along, across, frail[2])
     lost[0] += 0.5 * (along - pressed) * (stretch - dot(step, n))
     lost[1] += (
         0.5 * (1.0 - share) * dot(across, add_scaled(add_scaled(NOWHERE, 1.0 + share, s), -1.0, m))
     )
     across = add_scaled(NOWHERE, share, across)
-    listed(p, across, springs, frail, slots, many)
+    add_contact(p, across, springs, frail, slots, many)
     force = add_scaled(across, pressed, n)
     put(push, i, add_scaled(at(push, i), 1.0, force))
     put(push, j, add_scaled(at(push, j), -1.0, force))
@@ -79,7 +87,7 @@ def part(
 
 
 @inlined
-def added(push: Vector, pushes: Vector, window: Index, chunks: int) -> None:
+def add_chunks(push: Vector, pushes: Vector, window: Index, chunks: int) -> None:
     """Add the forces of all chunks to push, in the order of chunks."""
     rows = len(pushes) // chunks
     for c in range(chunks):
@@ -88,7 +96,7 @@ def added(push: Vector, pushes: Vector, window: Index, chunks: int) -> None:
 
 
 @lent
-def parted(
+def break_bonds(
     push: Vector,
     turn: Vector | None,
     u: Vector,
@@ -113,13 +121,15 @@ def parted(
     for p in range(len(springs[0])):
         if state[p // WIDE, p % WIDE] == BREAKS:
             state[p // WIDE, p % WIDE] = BROKEN
-            a, b = part(p, push, turn, u, v, w, dt, springs, ks, table, frail, slots, many, lost)
+            a, b = break_bond(
+                p, push, turn, u, v, w, dt, springs, ks, table, frail, slots, many, lost
+            )
             normal, sheared = normal + a, sheared + b
     return normal, sheared
 
 
 @inlined
-def pull(
+def add_bond_forces(
     push: Vector,
     turn: Vector | None,
     u: Vector,
@@ -137,7 +147,7 @@ def pull(
 ) -> Triple:
     """Add the forces of all bonds to push and turn; return their energies [J] and how many break.
 
-    The energies are those of normal and of shear springs. Kernels call `parted` for those that
+    The energies are those of normal and of shear springs. Kernels call `break_bonds` for those that
     break: a call from here would have numba count references to all its arrays in every step.
 
     springs: rows (b, 2), offset at t = 0 (b, 3) and its length (b,), stretch at t = 0 (b,), kn
@@ -148,19 +158,19 @@ def pull(
     """
     ends, like, share, window = blocks[0], blocks[2], blocks[3], blocks[4]
     if threads is None:
-        sweep_all(
+        compute_chunks(
             each[0], each[1], each[2], each[3], u, v, w, dt,
             ends, table, like, share, window, len(springs[0]), ks, frail, state,
         )  # fmt: skip
     else:
-        sweep_shared(
+        compute_chunks_in_threads(
             each[0], each[1], each[2], each[3], u, v, w, dt,
             ends, table, like, share, window, len(springs[0]), ks, frail, state,
         )  # fmt: skip
     held = each[3]
-    added(push, each[0], window, len(held))
+    add_chunks(push, each[0], window, len(held))
     if turn is not None:
-        added(turn, each[1], window, len(held))
+        add_chunks(turn, each[1], window, len(held))
     normal = sheared = breaking = 0.0
     for c in range(len(held)):
         normal, sheared, breaking = normal + held[c, 0], sheared + held[c, 1], breaking + held[c, 2]

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.engines.dem.bonds.bend import HIT, Like, bend, fetch, hand_out
+from vv.engines.dem.bonds.bend import HIT, Like, add_block_forces, compute_block, gather_ends
 from vv.engines.dem.bonds.blocks import WIDE, Ends
 from vv.engines.dem.bonds.law import Frail
 from vv.engines.dem.rows import Index
@@ -23,7 +23,7 @@ BROKEN, BREAKS = 1, 2  # states of a bond: broken before, or breaking in this st
 
 
 @lent
-def sweep(
+def compute_chunk(
     push: Vector,
     turn: Vector,
     scratch: Vector,
@@ -58,20 +58,20 @@ def sweep(
     normal, sheared, breaking = 0.0, 0.0, 0
     for k in range(share[c], share[c + 1]):
         here = min(WIDE, many - k * WIDE)
-        fetch(scratch, c, table, ends, k, here, u, v, w)
-        found = bend(scratch, c, table, k, here, dt, like, ks, w, frail, state)
+        gather_ends(scratch, c, table, ends, k, here, u, v, w)
+        found = compute_block(scratch, c, table, k, here, dt, like, ks, w, frail, state)
         if found > 0:
             breaking += found
             for q in range(here):
                 if scratch[c, HIT * WIDE + q] > 0.0:
                     state[k, q] = BREAKS
-        a, b = hand_out(push, turn, base, scratch, c, ends, k, here, ks, w)
+        a, b = add_block_forces(push, turn, base, scratch, c, ends, k, here, ks, w)
         normal, sheared = normal + a, sheared + b
     held[c, 0], held[c, 1], held[c, 2] = normal, sheared, breaking
 
 
 @lent
-def sweep_all(
+def compute_chunks(
     push: Vector,
     turn: Vector,
     scratch: Vector,
@@ -90,9 +90,9 @@ def sweep_all(
     frail: Frail | None,
     state: State,
 ) -> None:
-    """Compute the forces of all chunks in turn, by `sweep`."""
+    """Compute the forces of all chunks in turn, by `compute_chunk`."""
     for c in range(len(held)):
-        sweep(
+        compute_chunk(
             push, turn, scratch, held, c, u, v, w, dt,
             ends, table, like, share, window, many, ks, frail, state,
         )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from vv.engines.dem.bonds.bend import Like
 from vv.engines.dem.bonds.blocks import Ends
 from vv.engines.dem.bonds.law import Frail
-from vv.engines.dem.bonds.sweep import sweep
+from vv.engines.dem.bonds.sweep import compute_chunk
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import State
 from vv.engines.kernels.compiled import shared
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @shared
-def sweep_shared(
+def compute_chunks_in_threads(
     push: Vector,
     turn: Vector,
     scratch: Vector,
@@ -37,9 +37,9 @@ def sweep_shared(
     frail: Frail | None,
     state: State,
 ) -> None:
-    """Compute the forces of all chunks by `sweep`, in as many threads as numba is set to."""
+    """Compute all chunks by `compute_chunk`, in as many threads as numba is set to."""
     for c in numba.prange(len(held)):
-        sweep(
+        compute_chunk(
             push, turn, scratch, held, c, u, v, w, dt,
             ends, table, like, share, window, many, ks, frail, state,
         )  # fmt: skip

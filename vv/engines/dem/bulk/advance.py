@@ -13,9 +13,9 @@ from vv.engines.dem.bulk.grains import (
     Grains,
     V,
     W,
-    moves,
-    part,
-    put_part,
+    columns_of,
+    moving_mass,
+    set_columns,
 )
 from vv.engines.dem.space.advance import next_velocity
 from vv.engines.dem.terms.drag import Drag
@@ -29,7 +29,7 @@ def drift(grains: Grains, dt: float) -> float:
     """Displace all spheres by a step; return the largest distance from `since` [m]."""
     row, since, far = grains.row, grains.since, 0.0
     for i in range(len(since)):
-        x = add_scaled(at(row, i), dt, part(row, i, V))
+        x = add_scaled(at(row, i), dt, columns_of(row, i, V))
         put(row, i, x)
         moved = add_scaled(x, -1.0, at(since, i))
         far = max(far, dot(moved, moved))
@@ -37,12 +37,12 @@ def drift(grains: Grains, dt: float) -> float:
 
 
 @lent
-def weigh(grains: Grains, gravity: Triple) -> None:
+def set_weights(grains: Grains, gravity: Triple) -> None:
     """Set the force on each sphere to its weight, and the torque to zero."""
     acting, mass = grains.acting, grains.mass
     for i in range(len(mass)):
-        put(acting, i, add_scaled(NOWHERE, moves(mass[i]), gravity))
-        put_part(acting, i, TURN, NOWHERE)
+        put(acting, i, add_scaled(NOWHERE, moving_mass(mass[i]), gravity))
+        set_columns(acting, i, TURN, NOWHERE)
 
 
 @lent
@@ -57,7 +57,7 @@ def place(grains: Grains, velocity: Vector, time: float, drag: Drag) -> float:
         push = add_scaled(at(grains.acting, i), -drag.eta, start)
         for c in range(3):
             row[i, V + c] = start[c] - time / grains.mass[i] * push[c]
-        kinetic += 0.5 * moves(grains.mass[i]) * dot(start, start)
+        kinetic += 0.5 * moving_mass(grains.mass[i]) * dot(start, start)
     return kinetic
 
 
@@ -67,15 +67,15 @@ def place_spins(grains: Grains, spin: Vector | None, time: float) -> float:
     row, turning = grains.row, 0.0
     if spin is not None:
         for i in range(len(grains.mass)):
-            start, turn = at(spin, grains.original[i]), part(grains.acting, i, TURN)
+            start, turn = at(spin, grains.original[i]), columns_of(grains.acting, i, TURN)
             for c in range(3):
                 row[i, W + c] = start[c] - time / grains.inertia[i] * turn[c]
-            turning += 0.5 * moves(grains.inertia[i]) * dot(start, start)
+            turning += 0.5 * moving_mass(grains.inertia[i]) * dot(start, start)
     return turning
 
 
 @inlined
-def taken(drag: Drag, lag: float, old: Triple, new: Triple) -> tuple[float, float]:
+def drag_powers(drag: Drag, lag: float, old: Triple, new: Triple) -> tuple[float, float]:
     """The powers D v- and D v+ [W] of drag D = eta (lag v- + (1 - lag) v+)."""
     loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
     return dot(loss, old), dot(loss, new)
@@ -92,13 +92,13 @@ def kick(crowd: Crowd, c: int, first: int, last: int, span: float) -> None:
     """
     drag = crowd.rules.drag
     if drag.eta == 0.0:  # tested once: testing it for each sphere takes a twentieth of a step
-        carry(crowd, c, first, last, span, None)
+        kick_each(crowd, c, first, last, span, None)
     else:
-        carry(crowd, c, first, last, span, drag)
+        kick_each(crowd, c, first, last, span, drag)
 
 
 @lent
-def carry(crowd: Crowd, c: int, first: int, last: int, span: float, drag: Drag | None) -> None:
+def kick_each(crowd: Crowd, c: int, first: int, last: int, span: float, drag: Drag | None) -> None:
     """As `kick`, with drag, or without if it is None."""
     grains, rules, sums = crowd.grains, crowd.rules, crowd.work.sums
     row, acting, mass, inertia = grains.row, grains.acting, grains.mass, grains.inertia
@@ -107,24 +107,24 @@ def carry(crowd: Crowd, c: int, first: int, last: int, span: float, drag: Drag |
     for i in range(first, last):
         if mass[i] == math.inf:  # fixed: forces on it are discarded
             put(acting, i, NOWHERE)
-            put_part(acting, i, TURN, NOWHERE)
+            set_columns(acting, i, TURN, NOWHERE)
             continue
-        old = part(row, i, V)
+        old = columns_of(row, i, V)
         new = next_velocity(old, at(acting, i), mass[i], dt, drag, lag, i)
         if drag is not None:
-            powers = taken(drag, lag, old, new)
+            powers = drag_powers(drag, lag, old, new)
             behind += powers[0]
             ahead += powers[1]
-        put_part(row, i, BEFORE, old)
-        put_part(row, i, V, new)
+        set_columns(row, i, BEFORE, old)
+        set_columns(row, i, V, new)
         kinetic += 0.5 * mass[i] * dot(old, new)
         if turns is not None:
-            spun = part(row, i, W)
-            spins = add_scaled(spun, dt / inertia[i], part(acting, i, TURN))
-            put_part(row, i, SPUN, spun)
-            put_part(row, i, W, spins)
+            spun = columns_of(row, i, W)
+            spins = add_scaled(spun, dt / inertia[i], columns_of(acting, i, TURN))
+            set_columns(row, i, SPUN, spun)
+            set_columns(row, i, W, spins)
             kinetic += 0.5 * inertia[i] * dot(spun, spins)
-            put_part(acting, i, TURN, NOWHERE)
+            set_columns(acting, i, TURN, NOWHERE)
         put(acting, i, add_scaled(NOWHERE, mass[i], gravity))
         x = add_scaled(at(row, i), span, new)
         put(row, i, x)
@@ -137,12 +137,12 @@ def carry(crowd: Crowd, c: int, first: int, last: int, span: float, drag: Drag |
 
 
 @lent
-def moving_energy(grains: Grains, spin: Vector | None) -> float:
+def kinetic_energy_after(grains: Grains, spin: Vector | None) -> float:
     """The kinetic energy after the kick, m v+^2/2 and I w+^2/2 [J]."""
     row, fast = grains.row, 0.0
     for i in range(len(grains.mass)):
-        v, w = part(row, i, V), part(row, i, W)
-        fast += 0.5 * moves(grains.mass[i]) * dot(v, v)
+        v, w = columns_of(row, i, V), columns_of(row, i, W)
+        fast += 0.5 * moving_mass(grains.mass[i]) * dot(v, v)
         if spin is not None:
-            fast += 0.5 * moves(grains.inertia[i]) * dot(w, w)
+            fast += 0.5 * moving_mass(grains.inertia[i]) * dot(w, w)
     return fast

@@ -52,9 +52,9 @@ def batches(pairs: Near) -> Batches:
     many += 1
     first[many] = n
     chunks = max(1, min(CHUNKS, n // LEAST))
-    while chunks > 1 and overreach(pairs, first, many, chunks):
+    while chunks > 1 and reaches_too_far(pairs, first, many, chunks):
         chunks -= 1
-    share, head = shared_out(pairs, first, many, chunks)
+    share, head = chunk_bounds(pairs, first, many, chunks)
     return Batches(
         first,
         share,
@@ -66,7 +66,7 @@ def batches(pairs: Near) -> Batches:
 
 
 @called
-def shared_out(pairs: Near, first: Short, many: int, chunks: int) -> tuple[Short, Short]:
+def chunk_bounds(pairs: Near, first: Short, many: int, chunks: int) -> tuple[Short, Short]:
     """The arrays share and head for `many` batches in `chunks` chunks."""
     share, head = np.zeros(chunks + 1, np.uint32), np.zeros(chunks, np.uint32)
     for c in range(chunks):
@@ -80,9 +80,9 @@ def shared_out(pairs: Near, first: Short, many: int, chunks: int) -> tuple[Short
 
 
 @called
-def overreach(pairs: Near, first: Short, many: int, chunks: int) -> bool:
+def reaches_too_far(pairs: Near, first: Short, many: int, chunks: int) -> bool:
     """Whether some sphere lists a sphere beyond the next chunk."""
-    share, head = shared_out(pairs, first, many, chunks)
+    share, head = chunk_bounds(pairs, first, many, chunks)
     found = False
     for c in range(1, chunks):
         found = found or head[c] > first[share[c + 1]]
@@ -90,7 +90,7 @@ def overreach(pairs: Near, first: Short, many: int, chunks: int) -> bool:
 
 
 @lent
-def reset(sums: Vector) -> None:
+def clear_sums(sums: Vector) -> None:
     """Set all sums to zero."""
     for c in range(len(sums)):
         for k in range(SUMS):

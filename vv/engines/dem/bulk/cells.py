@@ -33,11 +33,11 @@ class Cells(NamedTuple):
 def cells(grains: Grains, edge: float) -> Cells:
     """Sort spheres into cells at least `edge` [m] wide, but not many more cells than spheres."""
     row, n = grains.row, len(grains.mass)
-    low, high = corners(row, n)
-    nx, ny, nz = divided(low, high, edge)
+    low, high = bounding_box(row, n)
+    nx, ny, nz = cell_counts(low, high, edge)
     while nx * ny * nz > 4 * n + 64:
         edge *= WIDER
-        nx, ny, nz = divided(low, high, edge)
+        nx, ny, nz = cell_counts(low, high, edge)
     begin, cell, place = (
         np.zeros(nx * ny * nz + 2, np.uint32),
         np.empty(n, np.uint32),
@@ -54,12 +54,12 @@ def cells(grains: Grains, edge: float) -> Cells:
     for i in range(n):
         place[i] = begin[cell[i] + 1]
         begin[cell[i] + 1] += 1
-    reorder(grains, place)
+    renumber(grains, place)
     return Cells(nx, ny, nz, begin, place)
 
 
 @called
-def corners(row: Vector, n: int) -> tuple[Triple, Triple]:
+def bounding_box(row: Vector, n: int) -> tuple[Triple, Triple]:
     """The lowest and the highest coordinates of the first n rows [m]."""
     low, high = at(row, 0), at(row, 0)
     for i in range(1, n):
@@ -70,7 +70,7 @@ def corners(row: Vector, n: int) -> tuple[Triple, Triple]:
 
 
 @called
-def divided(low: Triple, high: Triple, edge: float) -> tuple[int, int, int]:
+def cell_counts(low: Triple, high: Triple, edge: float) -> tuple[int, int, int]:
     """The numbers of cells along the axes, each at least `edge` [m] wide."""
     return (
         max(1, int((high[0] - low[0]) / edge)),
@@ -80,7 +80,7 @@ def divided(low: Triple, high: Triple, edge: float) -> tuple[int, int, int]:
 
 
 @called
-def reorder(grains: Grains, place: Short) -> None:
+def renumber(grains: Grains, place: Short) -> None:
     """Renumber the spheres, and store their positions in `since`."""
     row, mass, inertia, original = grains.row, grains.mass, grains.inertia, grains.original
     n = len(place)

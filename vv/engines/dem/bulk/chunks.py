@@ -10,15 +10,15 @@ from __future__ import annotations
 
 from vv.engines.dem.bonds.blocks import WIDE
 from vv.engines.dem.bulk.advance import kick
-from vv.engines.dem.bulk.contacts.edges import lean
-from vv.engines.dem.bulk.contacts.press import press
+from vv.engines.dem.bulk.contacts.edges import add_wall_forces
+from vv.engines.dem.bulk.contacts.press import add_pair_forces
 from vv.engines.dem.bulk.crowd import Crowd
 from vv.engines.dem.bulk.grains import ACTS
 from vv.engines.kernels.compiled import inlined, lent
 
 
 @inlined
-def batch(b: int, c: int, crowd: Crowd, with_energy: bool) -> None:
+def add_batch_forces(b: int, c: int, crowd: Crowd, with_energy: bool) -> None:
     """Add all forces of batch b of chunk c; sum the energies of springs if `with_energy`."""
     pairs, edges, work, rules = crowd.pairs, crowd.edges, crowd.work, crowd.rules
     begun, ended = work.first[b], work.first[b + 1]
@@ -26,17 +26,19 @@ def batch(b: int, c: int, crowd: Crowd, with_energy: bool) -> None:
     last = pairs.start[ended]
     for first in range(pairs.start[begun], last, WIDE):
         some = first, min(first + WIDE, last)
-        press(crowd, c, some, beyond, with_energy, rules.law, rules.friction, rules.viscous)
+        add_pair_forces(
+            crowd, c, some, beyond, with_energy, rules.law, rules.friction, rules.viscous
+        )
     leaning = edges.start[begun], edges.start[ended]
-    lean(crowd, c, leaning, with_energy, rules.law, rules.friction)
+    add_wall_forces(crowd, c, leaning, with_energy, rules.law, rules.friction)
 
 
 @lent
-def push_chunk(c: int, crowd: Crowd, with_energy: bool) -> None:
+def add_chunk_forces(c: int, crowd: Crowd, with_energy: bool) -> None:
     """Add all forces of chunk c, without a kick."""
     work = crowd.work
     for b in range(work.share[c], work.share[c + 1]):
-        batch(b, c, crowd, with_energy)
+        add_batch_forces(b, c, crowd, with_energy)
 
 
 @lent
@@ -44,12 +46,12 @@ def step_chunk(c: int, crowd: Crowd, with_energy: bool, span: float) -> None:
     """Add all forces of chunk c, and kick its spheres except the head; span: as for `kick`."""
     work = crowd.work
     for b in range(work.share[c], work.share[c + 1]):
-        batch(b, c, crowd, with_energy)
+        add_batch_forces(b, c, crowd, with_energy)
         kick(crowd, c, max(work.first[b], work.head[c]), work.first[b + 1], span)
 
 
 @lent
-def gather(c: int, crowd: Crowd) -> None:
+def add_spare_rows(c: int, crowd: Crowd) -> None:
     """Add to the head of chunk c the forces from the chunk before, which are in spare rows."""
     work, acting, aside = crowd.work, crowd.grains.acting, len(crowd.grains.mass) + 1
     for i in range(work.first[work.share[c]], work.head[c]):
@@ -59,7 +61,7 @@ def gather(c: int, crowd: Crowd) -> None:
 
 
 @lent
-def step_head(c: int, crowd: Crowd, span: float) -> None:
+def kick_head(c: int, crowd: Crowd, span: float) -> None:
     """Kick the head of chunk c, after all chunks have been computed."""
-    gather(c, crowd)
+    add_spare_rows(c, crowd)
     kick(crowd, c, crowd.work.first[crowd.work.share[c]], crowd.work.head[c], span)

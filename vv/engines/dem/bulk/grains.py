@@ -52,7 +52,7 @@ class Grains(NamedTuple):
 
 
 @inlined_called
-def grains(given: Given) -> Grains:
+def initial_grains(given: Given) -> Grains:
     """The spheres at t = 0, in the order of the scene."""
     n = len(given.mass)
     row, since, original = np.zeros((n + 1, WIDE)), np.zeros((n, 3)), np.empty(n, np.uint32)
@@ -65,18 +65,18 @@ def grains(given: Given) -> Grains:
 
 
 @inlined
-def moves(mass: float) -> float:
+def moving_mass(mass: float) -> float:
     """The mass [kg], or inertia, that has weight and kinetic energy: zero for fixed spheres."""
     return mass if mass < np.inf else 0.0
 
 
 @inlined
-def part(row: Vector, i: int, first: int) -> Triple:
+def columns_of(row: Vector, i: int, first: int) -> Triple:
     """Three columns of row i of an array, from `first` on."""
     return row[i, first], row[i, first + 1], row[i, first + 2]
 
 
 @inlined
-def put_part(row: Vector, i: int, first: int, a: Triple) -> None:
+def set_columns(row: Vector, i: int, first: int, a: Triple) -> None:
     """Set three columns of row i of an array, from `first` on."""
     row[i, first], row[i, first + 1], row[i, first + 2] = a

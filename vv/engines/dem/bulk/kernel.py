@@ -6,7 +6,14 @@ import math
 
 import numpy as np
 
-from vv.engines.dem.bulk.advance import drift, kick, moving_energy, place, place_spins, weigh
+from vv.engines.dem.bulk.advance import (
+    drift,
+    kick,
+    kinetic_energy_after,
+    place,
+    place_spins,
+    set_weights,
+)
 from vv.engines.dem.bulk.batches import (
     AHEAD,
     BEHIND,
@@ -20,12 +27,12 @@ from vv.engines.dem.bulk.batches import (
 )
 from vv.engines.dem.bulk.cells import cells
 from vv.engines.dem.bulk.crowd import Crowd, Rules
-from vv.engines.dem.bulk.grains import Given, grains
-from vv.engines.dem.bulk.near import near_pairs, near_walls, nothing_near
-from vv.engines.dem.bulk.output import booked, observe
+from vv.engines.dem.bulk.grains import Given, initial_grains
+from vv.engines.dem.bulk.near import near_pairs, near_walls, no_contacts
+from vv.engines.dem.bulk.output import observe, write_energies
 from vv.engines.dem.bulk.skin import FIRST, adapted, narrowest, widest
-from vv.engines.dem.bulk.steps import push_all, step_all
-from vv.engines.dem.bulk.viscous import Dashpot, meet, room_to_meet, slow, withdraw
+from vv.engines.dem.bulk.steps import add_all_forces, step_all
+from vv.engines.dem.bulk.viscous import Dashpot, add_viscous, contact_arrays, list_closed, withdraw
 from vv.engines.dem.contact.law import Law
 from vv.engines.dem.limits import BLOW_UP, GAIN
 from vv.engines.dem.rows import Index
@@ -60,29 +67,29 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
     line is written of path (k, b, 6 or 9) and energy (k, 7). It is one function since all parts of
     a step share its variables.
     """
-    bulk, spin, n, rubs = grains(given), given.spin, len(given.mass), friction is not None
+    bulk, spin, n, rubs = initial_grains(given), given.spin, len(given.mass), friction is not None
     viscous = None if dashpot is None else dashpot[1]
     rules = Rules(walls, law, friction, viscous, spin, dt, drag, lag, gravity)
     radius, reach = narrowest(bulk), 2.0 * widest(bulk)
     skin, sought, used = FIRST * radius, 0, 0
     sorted_cells = cells(bulk, reach + skin)
-    pairs = near_pairs(bulk, sorted_cells, skin, nothing_near(n), rubs)
-    edges = near_walls(bulk, walls, sorted_cells, skin, nothing_near(n), rubs)
+    pairs = near_pairs(bulk, sorted_cells, skin, no_contacts(n), rubs)
+    edges = near_walls(bulk, walls, sorted_cells, skin, no_contacts(n), rubs)
     crowd = Crowd(bulk, pairs, edges, batches(pairs), rules)
-    met, new = room_to_meet(0), np.zeros((n + 1, 3))
-    weigh(bulk, gravity)
-    push_all(crowd, True, threads)
+    met, new = contact_arrays(0), np.zeros((n + 1, 3))
+    set_weights(bulk, gravity)
+    add_all_forces(crowd, True, threads)
     normal, sprung = total(crowd.work.sums, NORMAL), total(crowd.work.sums, SPRUNG)
     slowed = 0.0, 0.0
     if dashpot is not None:
-        met = room_to_meet(len(pairs.other) + len(edges.other))
-        used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
+        met = contact_arrays(len(pairs.other) + len(edges.other))
+        used = list_closed(bulk, pairs, edges, walls, met, dashpot, dt)
         place(bulk, given.velocity, 0.0, drag)
-        slow(bulk, met, used, new, 0.0, drag, lag)
+        add_viscous(bulk, met, used, new, 0.0, drag, lag)
     put_in = normal + sprung + place(bulk, given.velocity, back * dt, drag)
     if dashpot is not None:
         withdraw(bulk, met, used)
-        slowed = slow(bulk, met, used, new, dt, drag, lag)
+        slowed = add_viscous(bulk, met, used, new, dt, drag, lag)
     put_in += place_spins(bulk, spin, back * dt)
     kick(crowd, 0, 0, n, 0.0)
     ahead = slowed[1] + total(crowd.work.sums, AHEAD)
@@ -100,17 +107,17 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
                 pairs = near_pairs(bulk, sorted_cells, skin, pairs, rubs)
                 edges = near_walls(bulk, walls, sorted_cells, skin, edges, rubs)
                 crowd = Crowd(bulk, pairs, edges, batches(pairs), rules)
-                weigh(bulk, gravity)
+                set_weights(bulk, gravity)
                 if dashpot is not None:
-                    met = room_to_meet(len(pairs.other) + len(edges.other))
+                    met = contact_arrays(len(pairs.other) + len(edges.other))
             with_energy = step + 1 == stride
             span = 0.0 if with_energy else dt
             if dashpot is None:
                 step_all(crowd, with_energy, span, threads)
             else:
-                push_all(crowd, with_energy, threads)
-                used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
-                slowed = slow(bulk, met, used, new, dt, drag, lag)
+                add_all_forces(crowd, with_energy, threads)
+                used = list_closed(bulk, pairs, edges, walls, met, dashpot, dt)
+                slowed = add_viscous(bulk, met, used, new, dt, drag, lag)
                 kick(crowd, 0, 0, n, span)
             sums = crowd.work.sums
             far = math.sqrt(farthest(sums))
@@ -122,8 +129,10 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
         sums = crowd.work.sums
         kinetic, normal, sprung = total(sums, KINETIC), total(sums, NORMAL), total(sums, SPRUNG)
         held = kinetic, normal, sprung, slipped, 0.5 * dt * dragged
-        done = max(done, booked(energy, line, held, given, bulk, gravity))
+        done = max(done, write_energies(energy, line, held, given, bulk, gravity))
         most, whole = put_in + done, kinetic + normal + sprung
-        if line and not (whole <= GAIN * most and moving_energy(bulk, spin) <= BLOW_UP * most):
+        if line and not (
+            whole <= GAIN * most and kinetic_energy_after(bulk, spin) <= BLOW_UP * most
+        ):
             return line
     return len(path)

@@ -31,21 +31,21 @@ class Near(NamedTuple):
 
 
 @inlined_called
-def nothing_near(n: int) -> Near:
+def no_contacts(n: int) -> Near:
     """Slots for n spheres without any contact."""
     start, none = np.zeros(n + 1, np.uint32), np.zeros(0, np.uint32)
     return Near(start, none, none, np.zeros(0, np.uint8), np.zeros((0, 3)))
 
 
 @inlined
-def close(row: Vector, i: int, j: int, skin: float) -> bool:
+def within_skin(row: Vector, i: int, j: int, skin: float) -> bool:
     """Whether the gap of two spheres is less than the skin [m]."""
     d, reach = add_scaled(at(row, j), -1.0, at(row, i)), row[i, RADIUS] + row[j, RADIUS] + skin
     return bool(dot(d, d) < reach * reach)
 
 
 @called
-def longer(other: Short, used: int, room: int) -> Short:
+def extended(other: Short, used: int, room: int) -> Short:
     """A copy with room for more numbers."""
     made = np.empty(room, np.uint32)
     for k in range(used):
@@ -82,14 +82,14 @@ def near_pairs(grains: Grains, cells: Cells, skin: float, old: Near, rubs: bool)
                 base = (above * ny + ahead) * nx
                 first = begin[base + max(x - 1, 0)] if line > 0 else i + 1
                 for j in range(first, begin[base + min(x + 1, nx - 1) + 1]):
-                    if close(row, i, j, skin) and (mass[i] < np.inf or mass[j] < np.inf):
+                    if within_skin(row, i, j, skin) and (mass[i] < np.inf or mass[j] < np.inf):
                         if many == len(other):
-                            other = longer(other, many, 2 * many)
+                            other = extended(other, many, 2 * many)
                         other[many] = j
                         many += 1
             start[i + 1] = many
-    made = slots(start, longer(other, many, many), rubs)
-    keep(made, old, cells.place, True)
+    made = new_slots(start, extended(other, many, many), rubs)
+    copy_friction(made, old, cells.place, True)
     return made
 
 
@@ -104,17 +104,17 @@ def near_walls(
         for w in range(len(walls) if mass[i] < np.inf else 0):
             if dot(at(row, i), at(walls, w)) - walls[w, 3] < row[i, RADIUS] + skin:
                 if many == len(other):
-                    other = longer(other, many, 2 * many)
+                    other = extended(other, many, 2 * many)
                 other[many] = w
                 many += 1
         start[i + 1] = many
-    made = slots(start, longer(other, many, many), rubs)
-    keep(made, old, cells.place, False)
+    made = new_slots(start, extended(other, many, many), rubs)
+    copy_friction(made, old, cells.place, False)
     return made
 
 
 @called
-def slots(start: Short, other: Short, rubs: bool) -> Near:
+def new_slots(start: Short, other: Short, rubs: bool) -> Near:
     """Slots of contacts that did not touch before."""
     room, one = len(other) if rubs else 0, np.empty(len(other), np.uint32)
     for i in range(len(start) - 1):
@@ -124,7 +124,7 @@ def slots(start: Short, other: Short, rubs: bool) -> Near:
 
 
 @called
-def keep(made: Near, old: Near, place: Short, pairs: bool) -> None:
+def copy_friction(made: Near, old: Near, place: Short, pairs: bool) -> None:
     """Copy the tangential forces of touching contacts to the new slots.
 
     place (n,): new numbers of the spheres by old ones. The force on the second sphere of a pair

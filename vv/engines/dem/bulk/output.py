@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.dem.bulk.grains import BEFORE, SPUN, Given, Grains, V, W, moves
+from vv.engines.dem.bulk.grains import BEFORE, SPUN, Given, Grains, V, W, moving_mass
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.ledger import column
 from vv.engines.kernels.compiled import called, lent
@@ -30,7 +30,7 @@ def observe(path: Vector, line: int, watched: Index, given: Given, grains: Grain
 
 
 @lent
-def booked(
+def write_energies(
     energy: Vector,
     line: int,
     held: tuple[float, float, float, float, float],
@@ -47,7 +47,7 @@ def booked(
     for i in range(len(grains.mass)):
         for c in range(3):
             u = grains.row[i, c] - given.position[grains.original[i], c]
-            work += moves(grains.mass[i]) * gravity[c] * u
+            work += moving_mass(grains.mass[i]) * gravity[c] * u
     for c in range(5):
         energy[line, c] = held[c]
     energy[line, GRAVITY] = work

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from vv.engines.dem.bulk.chunks import gather, push_chunk, step_chunk, step_head
+from vv.engines.dem.bulk.chunks import add_chunk_forces, add_spare_rows, kick_head, step_chunk
 from vv.engines.dem.bulk.crowd import Crowd
 from vv.engines.kernels.compiled import shared
 
@@ -13,18 +13,18 @@ if TYPE_CHECKING:
 
 
 @shared
-def push_shared(crowd: Crowd, with_energy: bool) -> None:
-    """Call `push_chunk` for all chunks, then `gather` for all heads, each in parallel."""
+def add_all_in_threads(crowd: Crowd, with_energy: bool) -> None:
+    """Call `add_chunk_forces` for all chunks, then `add_spare_rows` for all, each in parallel."""
     for c in numba.prange(len(crowd.work.head)):
-        push_chunk(c, crowd, with_energy)
+        add_chunk_forces(c, crowd, with_energy)
     for c in numba.prange(len(crowd.work.head)):
-        gather(c, crowd)
+        add_spare_rows(c, crowd)
 
 
 @shared
-def step_shared(crowd: Crowd, with_energy: bool, span: float) -> None:
-    """Call `step_chunk` for all chunks, then `step_head` for all heads, each in parallel."""
+def step_all_in_threads(crowd: Crowd, with_energy: bool, span: float) -> None:
+    """Call `step_chunk` for all chunks, then `kick_head` for all heads, each in parallel."""
     for c in numba.prange(len(crowd.work.head)):
         step_chunk(c, crowd, with_energy, span)
     for c in numba.prange(len(crowd.work.head)):
-        step_head(c, crowd, span)
+        kick_head(c, crowd, span)

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from vv.engines.dem.bulk.grains import RADIUS, Grains, V, part
+from vv.engines.dem.bulk.grains import RADIUS, Grains, V, columns_of
 from vv.engines.dem.bulk.near import Near
 from vv.engines.dem.contact.dashpots import RATE, SPRING, Met, add_viscous_forces, apply_forces
 from vv.engines.dem.contact.linear import closing_factor
@@ -25,13 +25,13 @@ Dashpot = tuple[float, float]
 
 
 @inlined_called
-def room_to_meet(many: int) -> Met:
+def contact_arrays(many: int) -> Met:
     """Arrays for so many closed contacts."""
     return np.zeros((many, 2), np.intp), np.zeros((many, MET))
 
 
 @lent
-def meet(
+def list_closed(
     grains: Grains, pairs: Near, edges: Near, walls: Vector, met: Met, dashpot: Dashpot, dt: float
 ) -> int:
     """List all contacts that are closed at the end of a step; return how many there are.
@@ -48,24 +48,24 @@ def meet(
             if square < reach * reach:
                 length, relative = (
                     math.sqrt(square),
-                    add_scaled(part(row, j, V), -1.0, part(row, i, V)),
+                    add_scaled(columns_of(row, j, V), -1.0, columns_of(row, i, V)),
                 )
                 opened = normals_in_step(d, length, relative, dt)[2]
                 normal = add_scaled(NOWHERE, 1.0 / length, d)
-                enter(met, used, (i, j), normal, reach - length, opened, dashpot)
+                store_contact(met, used, (i, j), normal, reach - length, opened, dashpot)
                 used += 1
         for k in range(edges.start[i], edges.start[i + 1]):
             normal = at(walls, edges.other[k])
             overlap = row[i, RADIUS] - dot(at(row, i), normal) + walls[edges.other[k], 3]
             if overlap > 0.0:
-                opened = dt * dot(normal, part(row, i, V))
-                enter(met, used, (n, i), normal, overlap, opened, dashpot)
+                opened = dt * dot(normal, columns_of(row, i, V))
+                store_contact(met, used, (n, i), normal, overlap, opened, dashpot)
                 used += 1
     return used
 
 
 @inlined
-def enter(
+def store_contact(
     met: Met,
     k: int,
     ends: tuple[int, int],
@@ -83,7 +83,7 @@ def enter(
 
 
 @lent
-def slow(
+def add_viscous(
     grains: Grains,
     met: Met,
     used: int,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.engines.dem.bonds.layout import Bonded, bonded, near
+from vv.engines.dem.bonds.layout import Bonded, bonds_of, search_data
 from vv.engines.dem.contact.law import NO_FRICTION, Law, law_of
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Near
@@ -64,6 +64,6 @@ def placed(scene: Scene, charged: Vector | None = None) -> Placed:
     moves: Mask = np.any([spheres.free, spheres.free_spin, carried != 0.0], axis=(0, 2))
     row = np.where(moves, np.cumsum(moves) - 1, moves.sum())
     started = charged[moves] if charged is not None else None
-    bonds = bonded(scene, moves, row)
-    close = near(scene, moves, row, bonds.state)
+    bonds = bonds_of(scene, moves, row)
+    close = search_data(scene, moves, row, bonds.state)
     return Placed(scene, moves, row, carried[moves], started, bonds, close)

@@ -9,7 +9,7 @@ import numpy as np
 from vv.engines.dem.bonds.bend import SCRATCH
 from vv.engines.dem.bonds.blocks import WIDE, Blocks
 from vv.engines.dem.bonds.law import Frail, Springs
-from vv.engines.dem.bonds.pull import Shares, parted, pull
+from vv.engines.dem.bonds.pull import Shares, add_bond_forces, break_bonds
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space import springs as stable
 from vv.engines.dem.space.bodies import Bodies, Motion
@@ -25,7 +25,7 @@ NORMAL, SHEAR = column(Form.BROKEN_NORMAL), column(Form.BROKEN_SHEAR)
 
 @bundle
 class Bonds(NamedTuple):
-    """The bonds of a scene; the fields are the arguments of `pull` of the same names.
+    """The bonds of a scene; the fields are the arguments of `add_bond_forces` of the same names.
 
     The state that changes from step to step is table, each, state and torn: (2,) the energies [J]
     lost with the normal and the shear springs of broken bonds.
@@ -96,7 +96,7 @@ def force(
     term: Bonds, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
     """Add the forces of all bonds except those that break; return their springs' energies [J]."""
-    normal, shear, _ = pull(
+    normal, shear, _ = add_bond_forces(
         motion.push, motion.turn, motion.u, motion.v, motion.w, dt, term.springs, term.ks,
         term.blocks, term.table, term.each, term.frail, term.state, term.threads,
     )  # fmt: skip
@@ -123,7 +123,7 @@ def breaking(
         many_break += held[c, 2]
     if many_break == 0.0:
         return 0.0, 0.0
-    return parted(
+    return break_bonds(
         motion.push, motion.turn, motion.u, motion.v, motion.w, dt, term.springs, term.ks,
         term.table, frail, term.state, slots, many, term.torn,
     )  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from vv.engines.dem.bulk.batches import LOST, NORMAL, SPRUNG
 from vv.engines.dem.bulk.crowd import Crowd
-from vv.engines.dem.bulk.grains import BEFORE, RADIUS, SPUN, TURN, V, W, part, put_part
+from vv.engines.dem.bulk.grains import BEFORE, RADIUS, SPUN, TURN, V, W, columns_of, set_columns
 from vv.engines.dem.contact.friction import shear_force
 from vv.engines.dem.contact.law import Law, normal_force, shear_energy, shear_stiffness
 from vv.engines.dem.contact.touch import Touch
@@ -14,21 +14,21 @@ from vv.scene import Vector
 
 
 @inlined
-def wall_touch(row: Vector, i: int, n: Triple, overlap: float, dt: float) -> Touch:
+def wall_kinematics(row: Vector, i: int, n: Triple, overlap: float, dt: float) -> Touch:
     """The kinematics of the contact of sphere i with a wall of outward normal n in a step."""
-    relative = part(row, i, V)
-    changed = add_scaled(relative, -1.0, part(row, i, BEFORE))
+    relative = columns_of(row, i, V)
+    changed = add_scaled(relative, -1.0, columns_of(row, i, BEFORE))
     opened, more = dt * dot(n, relative), 0.5 * dot(n, changed)
     rates = dot(n, relative) - more, dot(n, relative) + more
-    arm, w = 0.5 * (overlap + 0.5 * opened) - row[i, RADIUS], part(row, i, W)
+    arm, w = 0.5 * (overlap + 0.5 * opened) - row[i, RADIUS], columns_of(row, i, W)
     relative = add_scaled(relative, arm, cross(w, n))
-    changed = add_scaled(changed, arm, cross(add_scaled(w, -1.0, part(row, i, SPUN)), n))
+    changed = add_scaled(changed, arm, cross(add_scaled(w, -1.0, columns_of(row, i, SPUN)), n))
     twist = 0.5 * dt * dot(w, n)
     return Touch(overlap, opened, n, n, n, rates, relative, changed, twist)
 
 
 @lent
-def lean(
+def add_wall_forces(
     crowd: Crowd,
     c: int,
     some: tuple[int, int],
@@ -52,7 +52,7 @@ def lean(
             force = add_scaled(NOWHERE, along, n)
             sums[c, NORMAL] += held if with_energy else 0.0
             if friction is not None:
-                touch = wall_touch(row, i, n, overlap, dt)
+                touch = wall_kinematics(row, i, n, overlap, dt)
                 ks, caps = shear_stiffness(
                     law, touch, radius, 0.0, spring
                 )  # laws here need no mass
@@ -64,5 +64,5 @@ def lean(
                 put(shear, k, rubbed)
                 force = add_scaled(force, 1.0, rubbed)
                 torque = add_scaled(NOWHERE, radius - 0.5 * overlap, cross(rubbed, n))
-                put_part(acting, i, TURN, add_scaled(part(acting, i, TURN), 1.0, torque))
+                set_columns(acting, i, TURN, add_scaled(columns_of(acting, i, TURN), 1.0, torque))
             put(acting, i, add_scaled(at(acting, i), 1.0, force))

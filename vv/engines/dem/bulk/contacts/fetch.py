@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vv.engines.dem.bonds.bend import note, three
+from vv.engines.dem.bonds.bend import store_vector, vector_of
 from vv.engines.dem.bonds.blocks import WIDE
 from vv.engines.dem.bulk.grains import (
     BEFORE,
@@ -12,8 +12,8 @@ from vv.engines.dem.bulk.grains import (
     Short,
     V,
     W,
-    part,
-    put_part,
+    columns_of,
+    set_columns,
 )
 from vv.engines.dem.bulk.near import Near
 from vv.engines.kernels.compiled import inlined
@@ -26,7 +26,7 @@ SOON = 24  # by so many pairs rows are loaded into the cache ahead
 OFFSET, RADII, WAS, RELATIVE, ROLLED, SPINS, SPRING, CHANGED = 0, 3, 5, 6, 9, 12, 15, 18
 NORMALS, ALONG, MIDWAY, SLIDE, ACROSS, OLD, STIFF, CAPS, HOW_LONG = 0, 5, 6, 9, 12, 15, 18, 19, 21
 INSIDE, ARMS, TRIAL, MORE, TURNS, FADING, TAKEN, FORCE, TORQUE = 22, 23, 25, 28, 31, 32, 31, 6, 9
-"""Places of the numbers of a contact in scratch: the data of `fetch`, and later results.
+"""Places of the numbers of a contact in scratch: the data of `gather_ends`, and later results.
 
 All must fit into the first cache beside the data of the spheres. OFFSET: from the first centre to
 the second; WAS: whether they touched before, 1 or 0; ROLLED: the sum of radius times spin; SPINS:
@@ -36,7 +36,7 @@ contact point below each surface at the middle of the step [m].
 
 
 @inlined
-def choose(
+def choose_touching(
     grains: Grains,
     pairs: Near,
     scratch: Vector,
@@ -56,7 +56,7 @@ def choose(
         begin_to_read(acting, soon, 0)
         i, j = one[k], other[k]
         d, reach = add_scaled(at(row, j), -1.0, at(row, i)), row[i, RADIUS] + row[j, RADIUS]
-        note(scratch, c, OFFSET, many, d)
+        store_vector(scratch, c, OFFSET, many, d)
         scratch[c, RADII * WIDE + many] = row[i, RADIUS]
         scratch[c, (RADII + 1) * WIDE + many] = row[j, RADIUS]
         ends[c, many], ends[c, WIDE + many], ends[c, 2 * WIDE + many] = i, j, k
@@ -69,7 +69,7 @@ def choose(
 
 
 @inlined
-def filled(many: int) -> int:
+def rounded_up(many: int) -> int:
     """The number of columns, rounded up to whole vector instructions.
 
     The results in the extra columns are not used; a loop over single contacts would be slower.
@@ -78,7 +78,7 @@ def filled(many: int) -> int:
 
 
 @inlined
-def fetch(
+def gather_motion(
     row: Vector,
     pairs: Near,
     scratch: Vector,
@@ -93,26 +93,34 @@ def fetch(
         shear = pairs.shear
         for q in range(many):
             i, j, k = ends[c, q], ends[c, WIDE + q], ends[c, 2 * WIDE + q]
-            note(scratch, c, RELATIVE, q, add_scaled(part(row, j, V), -1.0, part(row, i, V)))
-            w, v = part(row, i, W), part(row, j, W)
+            store_vector(
+                scratch,
+                c,
+                RELATIVE,
+                q,
+                add_scaled(columns_of(row, j, V), -1.0, columns_of(row, i, V)),
+            )
+            w, v = columns_of(row, i, W), columns_of(row, j, W)
             rolled = add_scaled(add_scaled(NOWHERE, row[i, RADIUS], w), row[j, RADIUS], v)
-            note(scratch, c, ROLLED, q, rolled)
-            note(scratch, c, SPINS, q, add_scaled(w, 1.0, v))
+            store_vector(scratch, c, ROLLED, q, rolled)
+            store_vector(scratch, c, SPINS, q, add_scaled(w, 1.0, v))
             was = scratch[c, WAS * WIDE + q]
-            note(scratch, c, SPRING, q, add_scaled(NOWHERE, was, at(shear, k)))
+            store_vector(scratch, c, SPRING, q, add_scaled(NOWHERE, was, at(shear, k)))
             if viscous is not None:
-                note(scratch, c, CHANGED, q, changed(row, i, j))
+                store_vector(scratch, c, CHANGED, q, velocity_change(row, i, j))
 
 
 @inlined
-def changed(row: Vector, i: int, j: int) -> Triple:
+def velocity_change(row: Vector, i: int, j: int) -> Triple:
     """The change of the relative velocity of centres i and j since the last step [m/s]."""
-    now = add_scaled(part(row, j, V), -1.0, part(row, i, V))
-    return add_scaled(now, -1.0, add_scaled(part(row, j, BEFORE), -1.0, part(row, i, BEFORE)))
+    now = add_scaled(columns_of(row, j, V), -1.0, columns_of(row, i, V))
+    return add_scaled(
+        now, -1.0, add_scaled(columns_of(row, j, BEFORE), -1.0, columns_of(row, i, BEFORE))
+    )
 
 
 @inlined
-def hand_out(
+def add_forces(
     grains: Grains,
     pairs: Near,
     scratch: Vector,
@@ -127,12 +135,12 @@ def hand_out(
     for q in range(many):
         i, j = ends[c, q], ends[c, WIDE + q]
         to = j + (beyond[1] if j >= beyond[0] else 0)
-        force = three(scratch, c, FORCE, q)
+        force = vector_of(scratch, c, FORCE, q)
         put(acting, i, add_scaled(at(acting, i), -1.0, force))
         put(acting, to, add_scaled(at(acting, to), 1.0, force))
         if friction is not None:
-            put(shear, ends[c, 2 * WIDE + q], three(scratch, c, ACROSS, q))
-            torque = three(scratch, c, TORQUE, q)
+            put(shear, ends[c, 2 * WIDE + q], vector_of(scratch, c, ACROSS, q))
+            torque = vector_of(scratch, c, TORQUE, q)
             first, second = scratch[c, ARMS * WIDE + q], scratch[c, (ARMS + 1) * WIDE + q]
-            put_part(acting, i, TURN, add_scaled(part(acting, i, TURN), first, torque))
-            put_part(acting, to, TURN, add_scaled(part(acting, to, TURN), second, torque))
+            set_columns(acting, i, TURN, add_scaled(columns_of(acting, i, TURN), first, torque))
+            set_columns(acting, to, TURN, add_scaled(columns_of(acting, to, TURN), second, torque))
