@@ -1,4 +1,4 @@
-"""Claims that the critical step the DEM engine states is where motions start to grow."""
+"""Claims about the critical step that the DEM engine states: beyond it motions grow."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_beyond_the_critical_step_a_collision_diverges(scheme: str) -> None:
 
 
 def squeezed(eta: float) -> Scene:
-    """A ball pressed between two walls, free along x, so that both contacts stay closed."""
+    """A ball pressed between two walls, free along x, so that both contacts remain closed."""
     ball = Spheres(
         position=np.zeros((1, 3)),
         velocity=np.array([[1e-6, 0.0, 0.0]]),
@@ -62,7 +62,7 @@ def test_lagged_viscosity_lowers_the_critical_step() -> None:
 
 
 def test_spheres_that_are_held_and_overlap_make_no_step_critical() -> None:
-    """Of many spheres that touch nothing, two that cannot move are pressed together."""
+    """Of many spheres without contacts, two that cannot move overlap."""
     x = np.arange(300.0)[:, None] * np.array([3.0, 0.0, 0.0])
     moves = (np.arange(300) < 298)[:, None] * np.ones(3, bool)
     x[299] = x[298] + np.array([1.9, 0.0, 0.0])

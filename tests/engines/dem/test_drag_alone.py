@@ -1,4 +1,4 @@
-"""Claims about the step of a sphere that drag alone holds back."""
+"""Claims about the stable step of a sphere on which only drag acts."""
 
 import math
 
@@ -11,7 +11,7 @@ from vv.scene import Contact, Scene, Spheres
 
 @pytest.mark.parametrize(("mass", "eta"), [(1.0, 2.0), (3.0, 0.5)])
 def test_drag_that_lags_is_stable_up_to_twice_the_mass_over_it(mass: float, eta: float) -> None:
-    """v' = (1 - eta dt/m) v stays within what it was as long as eta dt/m is at most 2."""
+    """v' = (1 - eta dt/m) v does not grow as long as eta dt/m is at most 2."""
     place, free = np.zeros((1, 3)), np.ones((1, 3), bool)
     sphere = Spheres(place, np.ones((1, 3)), np.ones(1), np.array([mass]), free)
     scene = Scene((sphere,), Contact(1.0), eta)

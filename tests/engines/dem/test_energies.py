@@ -1,4 +1,4 @@
-"""Claims about energies over time: who is asked for them, what comes back, and what is refused."""
+"""Claims about energies over time: which schemes give them, what they return and refuse."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims that the DEM engine solves the least model of a scene: as exact as any, and cheaper."""
+"""Claims about reduced models of the DEM engine: as accurate as the general one, and cheaper."""
 
 from __future__ import annotations
 

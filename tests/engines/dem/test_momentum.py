@@ -1,4 +1,4 @@
-"""Momentum and angular momentum of turning spheres that collide with a plane and each other."""
+"""Claims about momentum and angular momentum of rotating spheres that collide."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PLANE = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]))
 
 
 def falling(seed: int) -> Scene:
-    """Three unequal spheres that meet the plane one after the other, and each other between."""
+    """Three unequal spheres that hit the plane one after the other, and each other in between."""
     random = np.random.default_rng(seed)
     radius = np.array([0.5, 0.3, 0.4])
     spheres = Spheres(
@@ -40,9 +40,10 @@ def collided(scene: Scene) -> tuple[Vector, Vector, Vector]:
 
 @pytest.mark.parametrize("seed", [93, 176, 186])
 def test_momentum_closes_with_the_plane_and_between_spheres(seed: int) -> None:
-    """The plane's pull along itself is told from the momentum, and checked by the moment of it.
+    """The tangential force of the plane follows from the momentum; its moment is the check.
 
-    Over a step both change by the mean of what acts at its two ends: so do leapfrogs conserve.
+    In a step both change by the mean of the forces at its ends: this is how a leapfrog conserves
+    them.
     """
     scene = falling(seed)
     s = scene.spheres

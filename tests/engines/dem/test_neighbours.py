@@ -1,4 +1,4 @@
-"""Claims about the pairs of spheres that are found cell by cell."""
+"""Claims about the pairs of spheres that are found by cells."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ def found(near: Near, u: Vector) -> Index:
     return near_pairs(near, u)
 
 
-FOUND: Any = numba.njit(found)  # what has no entry from Python, called by what has
+FOUND: Any = numba.njit(found)  # a function without an entry from Python, called by one that has it
 
 
 @pytest.mark.parametrize(("spheres", "edge"), [(40, 1.0), (200, 2.0), (60, 20.0)])

@@ -1,4 +1,4 @@
-"""Claims that `dem/published` is the paper's scheme, equation by equation and in its errors."""
+"""Claims about `dem/published`: it is the scheme of the paper, in its equations and errors."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ORDERS = {"T1": (2, 0.25), "T2": (1, 0.02), "T3": (2, 0.25), "T4": (1, 0.02)}
 
 
 def transcribed(test: str, dt: float) -> Vector:
-    """Li 2018, Eqs. 4-12, line by line for one coordinate; v^(-1/2) = v_0, |F_s| capped."""
+    """Li 2018, Eqs. 4-12, line by line for one coordinate; v^(-1/2) = v_0, |F_s| limited."""
     p = CASE.defaults(test)
     m = 2 * 3**0.5 * p["rho"] * p["r"] ** 2
     eta = p["eta"] if test in ("T2", "T4") else 0.0

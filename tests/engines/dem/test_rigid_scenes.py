@@ -1,4 +1,4 @@
-"""Claims about the DEM engine on rigid scenes: a block on springs, shaken or carried along."""
+"""Claims about the DEM engine on rigid scenes: a block on springs, shaken or on a moving wall."""
 
 from __future__ import annotations
 
@@ -127,8 +127,8 @@ DIPPING = slope(45.0, 50.0, sines((2.0, 1.0), (1.0, 2.0)), free=THREE)
 
 
 def order(scene: Scene, solve: Callable[[Ask], Run]) -> float:
-    """In dt, at one stiffness: what the springs do, not how near they are to rigid contact."""
-    # slip turns back within a step, so that errors scatter: many steps even this out
+    """The order in dt at one stiffness: relative to the springs, and not to rigid contact."""
+    # slip reverses within a step, so that errors scatter: many steps average this
     ladder = 0.02 / np.array([100, 200, 400, 700, 1000, 2000, 4000])
     fine = solve(asked(scene, 1e-6, 1e9, 0.7)).values[BLOCK]
     errors = [np.abs(solve(asked(scene, dt, 1e9, 0.7)).values[BLOCK] - fine).max() for dt in ladder]
@@ -185,7 +185,7 @@ def test_a_turned_scene_gives_the_turned_answer() -> None:
 
 
 def test_a_base_that_shakes_across_a_locked_direction_still_drags() -> None:
-    # friction turns with the slip, so that less of it is left for the direction that is free
+    # friction turns with the slip, so that its part in the free direction is smaller
     both = solved(carried((0.2, 2.0), (0.2, 2.0)), duration=0.1).values[BLOCK]
     alone = solved(carried((0.2, 2.0)), duration=0.1).values[BLOCK]
     assert 0.6 * alone[-1, 0] < both[-1, 0] < 0.8 * alone[-1, 0]

@@ -1,4 +1,4 @@
-"""Claims about the safe step of dem: stable where contacts close together, and not too small."""
+"""Claims about the safe step of dem: it is stable where many contacts close, and not too small."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vv.scene import Contact, Scene, Spheres
 
 
 def closing() -> Scene:
-    """A close-packed block of spheres that do not touch yet and fall towards its middle."""
+    """A close-packed block of spheres without contacts that move towards its middle."""
     position = lattice(3, 2, 1, 2.0).position
     position = 1.001 * (position - position.mean(axis=0))
     count = len(position)

@@ -1,4 +1,4 @@
-"""Scenes that differ by what costs a step next to nothing share a kernel, whose answers agree."""
+"""Claims about scenes that share a kernel, since they differ by cheap terms: answers agree."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 def kernel_of(ask: Ask) -> Any:
-    """What a kernel is compiled for: its name, and the types of its arguments."""
+    """The name of a kernel and the types of the arguments for which it is compiled."""
     program = dem.prepare(ask, dem.CENTRED)
     kernel: Any = program.system.kernel()
     return kernel.__name__, tuple(map(kernel.typeof_pyval, program.arguments))
@@ -52,7 +52,7 @@ def test_what_steps_without_friction_and_rotation_is_no_dearer_for_those_with_th
 
 
 def viscous(mu: float, spins: bool) -> Ask:
-    """Two spheres that meet askew on dashpots, and may rub and turn."""
+    """Two spheres that collide obliquely on dashpots, with or without friction and rotation."""
     position = np.array([[0.0, 0.0, 0.0], [0.05, 0.0, 0.2]])
     free = np.ones((2, 3), bool)
     balls = Spheres(

@@ -1,4 +1,4 @@
-"""Claims about the DEM engine's general kernel: what free spheres conserve, and that they turn."""
+"""Claims about the DEM engine's general kernel: conservation of free spheres, rotated scenes."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ MASS = np.array([4.0, 1.0, 2.5])
 def colliding(
     seed: int, mu: float = 0.3, count: int = 3, ks: float = 6e3, spin: float = 1.0
 ) -> Scene:
-    """Spheres of unequal size about to meet near the origin, turning, with friction.
+    """Spheres of unequal size that rotate and are about to collide near the origin, with friction.
 
-    A wall out of reach and forces too small to be felt make all these scenes share one kernel.
+    A wall out of reach and negligible forces let all these scenes share one kernel.
     """
     random = np.random.default_rng(seed)
     place = np.array([[0.0, 0.0, 0.0], [1.61, 0.0, 0.0], [0.7, 1.66, 0.0]])[:count]
@@ -157,7 +157,7 @@ def test_a_head_on_collision_of_two_free_spheres_is_that_of_the_reduced_mass() -
 
 
 def on_a_floor(velocity: list[float], spin: list[float], mu: float, m: float = 2.0) -> Scene:
-    """A ball that rests on a floor by its weight, moving and turning; another far away."""
+    """A ball that rests on a floor by its weight, moves and rotates; another is far away."""
     g, kn, r = 10.0, 1e6, 0.5
     spheres = Spheres(
         position=np.array([[0.0, 0.0, r - m * g / kn], [0.0, 1e6, 1e6]]),

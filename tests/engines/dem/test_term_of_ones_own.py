@@ -1,4 +1,4 @@
-"""Claims about a term of dem that a stranger writes, as docs/extending.md shows it."""
+"""Claims about a new term of dem, written by following docs/extending.md."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ print(json.dumps({
 
 @pytest.fixture(scope="module")
 def answer(tmp_path_factory: pytest.TempPathFactory) -> dict[str, object]:
-    """What a copy of this project answers that was given the term, and no other edits."""
+    """The answer of a copy of this project with the new term and no other edits."""
     root = tmp_path_factory.mktemp("copy")
     for name in ("adapters", "vv"):
         shutil.copytree(ROOT / name, root / name, ignore=shutil.ignore_patterns("__pycache__"))
@@ -84,7 +84,7 @@ def answer(tmp_path_factory: pytest.TempPathFactory) -> dict[str, object]:
 
 
 def edit(path: Path, edits: list[tuple[str, str]]) -> None:
-    """Replace what is there exactly once."""
+    """Replace text that occurs exactly once."""
     text = path.read_text()
     for old, new in edits:
         assert text.count(old) == 1, (path, old)

@@ -43,7 +43,7 @@ def widened(u: Vector) -> float:
 
 
 def test_bonds_share_a_kernel_whatever_loads_locks_drags_or_carries_their_ends() -> None:
-    """A kernel takes seconds to compile, one for each combination of types of its arguments."""
+    """A kernel takes seconds to compile, once for each combination of types of its arguments."""
     pulled = np.array([[0, 0, 1.0]] + [[0, 0, 0]] * 3)
     thrown = elements(velocity=OUT)
     carried = dataclasses.replace(elements(free=BASE), velocity=pulled)
@@ -66,7 +66,7 @@ def test_the_unit_comes_to_rest_in_its_balance(strain: float, gamma: float) -> N
 
 @pytest.mark.parametrize("strain", [5e-3, -5e-3])
 def test_slow_strain_follows_the_equilibrium_path(strain: float) -> None:
-    """A heavy top carries on at its speed; what drag and inertia add is of first order in it."""
+    """A heavy top moves at constant velocity, in which effects of drag and inertia are linear."""
     off = []
     for time in (1e-4, 2e-4):
         velocity = np.array([[0, 0, strain * HEIGHT / time]] + [[0, 0, 0]] * 3)
@@ -81,7 +81,7 @@ def test_slow_strain_follows_the_equilibrium_path(strain: float) -> None:
 
 @pytest.mark.parametrize("ks", [0.0, KS])
 def test_breathing_is_exact_but_for_the_phase_of_the_leapfrog(ks: float) -> None:
-    """L = d(1 + A sin wt) at any amplitude; the leapfrog swings at 2 asin(w dt/2)/dt."""
+    """L = d(1 + A sin wt) at any amplitude; the leapfrog oscillates at 2 asin(w dt/2)/dt."""
     A = 0.02
     run = moved(unit(elements(velocity=A * RATE * OUT), tied(ks=ks)), 2e-6, outputs=100)
     shown = 2 * np.arcsin(RATE * DT / 2) / DT
@@ -105,7 +105,7 @@ def test_a_free_cluster_keeps_its_momentum() -> None:
 
 
 def test_what_energy_it_loses_is_of_second_order() -> None:
-    """No bound is claimed: the shear spring turns. Steps a half leave a quarter."""
+    """There is no bound, since the shear spring turns. Half the step leaves a quarter of it."""
     ledgers = [moved(thrown(), 4e-6, dt, 20).ledger for dt in (2e-8, 1e-8, 5e-9)]
     off = [ledger.unaccounted / ledger.peak for ledger in ledgers if ledger]
     assert off[0] < 1e-3
@@ -119,7 +119,7 @@ def test_the_answer_is_of_second_order() -> None:
 
 
 def test_a_turned_scene_has_the_answer_turned() -> None:
-    """With locks that are then oblique to the frame."""
+    """Its locks are then oblique to the frame."""
     load = np.array([[0, 3.0, 5.0]] + [[0, 0, 0]] * 3)
     scene = unit(elements(free=BASE, load=load), eta=1.0, gravity=np.array([1e4, 0.0, -1e5]))
     straight, oblique = (at_end(moved(s, 2e-6)) for s in (scene, rotated(scene, TURN)))
@@ -133,7 +133,7 @@ def test_the_order_of_the_elements_does_not_matter() -> None:
 
 
 def test_a_rigid_turn_charges_the_shear_springs() -> None:
-    """An artefact of elements that do not turn: 2 ks d^2 angle^2 in a unit."""
+    """An artefact of elements without rotations: 2 ks d^2 angle^2 in a unit."""
     angle, time = 1e-4, 1e-6
     velocity = np.cross([0.0, 0.0, angle / time], OUT)
     heavy = dataclasses.replace(elements(velocity=velocity), mass=np.full(4, 1e12 * M))
@@ -143,7 +143,7 @@ def test_a_rigid_turn_charges_the_shear_springs() -> None:
 
 
 def test_a_bond_that_turns_far_gathers_length_times_angle() -> None:
-    """Of two heavy spheres that pass each other in a straight line, at a distance d."""
+    """Two heavy spheres pass each other on straight lines at a distance d."""
     tilt, time = 1.0, 1e-6
     past = np.array([[0, 0, 0], [0, D * np.tan(tilt) / time, 0]])
     pair = elements(np.array([[0, 0, 0], [D, 0, 0]]), velocity=past)
@@ -191,7 +191,7 @@ def test_the_largest_stable_step_is_the_largest() -> None:
 
 
 def test_a_bonded_unit_stands_on_a_wall() -> None:
-    """By its weight, shared by three elements."""
+    """It stands by its weight, which three elements share."""
     floor = Wall(np.array([0, 0, -D / 2]), np.array([0.0, 0.0, 1.0]))
     bonds, weight = tied(pairs=EDGES + 1), 4 * M * 1e5
     scene = Scene((floor, elements()), Contact(KN, KS, 0.3), 6.0, [0, 0, -1e5], bonds=bonds)  # type: ignore[arg-type]
@@ -201,7 +201,7 @@ def test_a_bonded_unit_stands_on_a_wall() -> None:
 
 @pytest.mark.parametrize("n", [82, 255])
 def test_blocks_come_to_rest_as_the_static_lattice_does(n: int) -> None:
-    """Under the forces of its platens, which the linear system states, at a strain of 1e-6."""
+    """The forces of its platens are those of the linear system, at a strain of 1e-6."""
     block = close_packed_lattice.lattice(*close_packed_lattice.SIZES[n], D)
     answer = close_packed_lattice.static(block, KN, KS)
     u = 1e-6 * answer.u

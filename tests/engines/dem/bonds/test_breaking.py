@@ -1,4 +1,4 @@
-"""Claims about bonds that break in the explicit DEM, and about the contacts that come of them."""
+"""Claims about bonds that break in the explicit DEM, and about the contacts that replace them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def solved(scene: Scene, goal: History, *seen: Observable, dt: float = 1e-8) -> 
 
 
 def pair(velocity: Vector, apart: float = D, **strengths: float) -> Scene:
-    """Two spheres on a bond along x; the second is carried at a velocity."""
+    """Two spheres with a bond along x; the second moves at a constant velocity."""
     position, start = np.array([[0, 0, 0], [apart, 0, 0]]), np.array([[0, 0, 0], velocity])
     held = np.array([[True, False, False], [False] * 3])
     heavy = elements(position, velocity=start, free=held)
@@ -44,7 +44,7 @@ def pair(velocity: Vector, apart: float = D, **strengths: float) -> Scene:
 
 
 def stretched(strain: float, time: float, **changed: float) -> Scene:
-    """The unit on a smooth base, its top carried to a strain; it begins as it goes on."""
+    """The unit on a smooth base, whose top moves to a strain at its initial velocity."""
     rate = strain / time
     velocity = -0.16 * rate * CORNERS * [1.0, 1.0, 0.0]
     velocity[0] = [0.0, 0.0, rate * HEIGHT]
@@ -69,7 +69,7 @@ def test_a_bond_opens_at_its_tension_and_its_energy_is_lost() -> None:
 
 @pytest.mark.parametrize("pressed", [1e-7, -1e-7])
 def test_a_bond_slides_at_its_shear_strength_and_then_rubs(pressed: float) -> None:
-    """Under tension it is weaker by mu Fn and free afterwards; pressed it is stronger, and rubs."""
+    """In tension it is weaker by mu Fn and then free; in compression it is stronger, and rubs."""
     time, far = 1e-6, 4e-6
     scene = pair(np.array([0, far / time, 0]), D - pressed, shear=SHEAR)
     run = solved(scene, History(time, 1e-9), Reaction(1), dt=1e-9)
@@ -91,7 +91,7 @@ def test_a_bond_slides_at_its_shear_strength_and_then_rubs(pressed: float) -> No
 def test_energy_is_accounted_for_through_failure_to_second_order(
     strain: float, time: float
 ) -> None:
-    """At the paper's step of 1e-8 s as well."""
+    """This includes the paper's step of 1e-8 s."""
     goal, off = History(time, time / 500), []
     for dt in (2e-8, 1e-8, 5e-9):
         ledger = solved(stretched(strain, time), goal, SEEN[0], dt=dt).ledger
@@ -117,7 +117,7 @@ def test_what_breaks_at_once_moves_as_what_was_never_bonded() -> None:
 
 
 def fragments() -> Scene:
-    """Two bonded pairs that fly at each other, askew, one on bonds that will break."""
+    """Two bonded pairs that collide obliquely, one of them on bonds that will break."""
     position = D * np.array([[0, 0, 0], [0, 1, 0], [1.2, 0.3, 0.1], [1.2, 1.3, 0.1]])
     velocity = np.array([[40.0, 0, 0], [40.0, 0, 0], [-40.0, 0, 0], [-40.0, 0, 5.0]])
     pairs = np.array([[0, 1], [3, 2]])
@@ -170,7 +170,7 @@ def test_only_what_can_break_or_touch_is_modelled() -> None:
 
 
 def chain(**changed: object) -> Scene:
-    """Three unequal spheres that turn freely, on two bonds and about to meet a fourth."""
+    """Three unequal spheres with free rotation, on two bonds and about to hit a fourth."""
     position = np.array([[0, 0, 0], [1.5, 0, 0], [1.5, 1.1, 0], [-0.2, 1.35, 0.1]])
     random = np.random.default_rng(2)
     spheres = elements(
@@ -234,7 +234,7 @@ def test_spheres_far_and_many_are_gathered_as_if_all_pairs_were_listed(
 
 @pytest.mark.parametrize("variant", ["pulled", "pressed"])
 def test_the_unit_fails_where_its_balance_at_finite_displacement_does(variant: str) -> None:
-    """Within 2e-5 for T_u, 2e-4 for C_open, 1e-3 for C_u; not where Eqs. 7, 8 and 14 put it."""
+    """To 2e-5 for T_u, 2e-4 for C_open, 1e-3 for C_u; Eqs. 7, 8 and 14 differ from this."""
     bars = {"T_u": 2e-5, "C_open": 2e-4, "C_u": 1e-3}
     trial = CASE.declare(variant, CASE.defaults(variant))
     run = dem.solve_default(trial.study.ask(Knobs(dt=4e-8)))

@@ -1,4 +1,4 @@
-"""Claims about how the explicit DEM lays out and shares bonds: no answer depends on it."""
+"""Claims about the layout of bonds in the explicit DEM: no answer depends on it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def moved(scene: Scene) -> Vector:
 
 
 def test_bonds_of_unlike_strengths_pull_like_those_of_one() -> None:
-    """Alike, the bonds share four numbers; unlike, each brings its own."""
+    """Bonds of one strength share four numbers; bonds of several strengths have their own."""
     velocity = np.random.default_rng(1).normal(size=(4, 3))
     told = []
     for most in (1e5, 2e5):
@@ -39,7 +39,7 @@ def test_bonds_of_unlike_strengths_pull_like_those_of_one() -> None:
 
 
 def test_unlike_springs_are_each_bonds_own() -> None:
-    """A spring a tenth stiffer pulls its two ends back by so much more."""
+    """A spring that is stiffer by a tenth exerts forces larger by a tenth on its two ends."""
     stiffer = np.full(6, KN)
     stiffer[0] *= 1.1
     scenes = [unit(bonds=tied(kn=k, length=0.999 * 1e-3, ks=0.0)) for k in (KN, stiffer)]
@@ -68,9 +68,9 @@ def test_chunks_add_up_to_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_two_threads_give_the_bits_of_one() -> None:
-    """In a process of its own: this one is held to one thread. Bonds break meanwhile.
+    """It runs in a process of its own, since this one has one thread. Bonds break meanwhile.
 
-    Slow where kernels are not cached: that for threads is compiled for this test alone.
+    It is slow without cached kernels: the kernel for threads is compiled for this test only.
     """
     script = (
         "from bench.speed.lattice_threads import program\n"

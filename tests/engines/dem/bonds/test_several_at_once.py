@@ -1,4 +1,4 @@
-"""Bonds are computed several at once: the loop over a block is one of vectors of numbers."""
+"""Claims about the loop over the bonds of a block: it is vectorised."""
 
 import re
 from typing import Any

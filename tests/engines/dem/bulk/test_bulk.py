@@ -1,4 +1,4 @@
-"""Claims about the model of many free spheres: it moves them as the general one does."""
+"""Claims about the model of many free spheres: it moves them as the general model does."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def crowd(
     walls: bool = True,
     across: tuple[int, int, int] = COUNT,
 ) -> Scene:
-    """Unequal spheres, somewhat out of order, in a box that lies askew to all cells."""
+    """Unequal spheres in no regular order, in a box that is oblique to all cells."""
     random, count = np.random.default_rng(3), int(np.prod(across))
     grid = np.stack(np.meshgrid(*map(np.arange, across), indexing="ij"), 3).reshape(-1, 3)
     position = RADIUS * (2.2 * random.permutation(grid) + 0.04 * random.normal(size=(count, 3)))
@@ -47,7 +47,7 @@ def crowd(
 def moved(
     model: Bulk | Space, steps: int, leapfrog: dem.Leapfrog, count: int = int(np.prod(COUNT))
 ) -> tuple[Vector, Vector]:
-    """Path (2, n, 6 or 9) and energies (2, 7) at the start and after so many steps."""
+    """Path (2, n, 6 or 9) and energies (2, 7) at the start and after a number of steps."""
     outputs: Any = model.outputs(2, tuple(range(count)))
     path, energy, watched = outputs
     run = model.kernel()
@@ -57,7 +57,7 @@ def moved(
 
 @pytest.mark.parametrize("law", LAWS)
 def test_spheres_move_as_in_the_general_model(law: str) -> None:
-    """To what rounding has become after 600 steps, in which all contacts change several times."""
+    """Differences are rounding, grown in 600 steps in which contacts change several times."""
     scene = crowd(*LAWS[law])
     fast = bulk(scene)
     assert fast is not None
@@ -77,7 +77,7 @@ def test_spheres_move_as_in_the_general_model(law: str) -> None:
 
 @pytest.mark.parametrize("mu", [0.0, 0.5])
 def test_spheres_of_several_chunks_move_as_in_the_general_model(mu: float) -> None:
-    """Two thousand are shared out to chunks, whose borders contacts cross; some do not rub."""
+    """Two thousand are divided into chunks with contacts across borders; some have no friction."""
     scene = crowd(Contact(1e5, 2e4 if mu > 0 else 0.0, mu), 2e-3, across=(10, 10, 21))
     fast, count = bulk(scene), len(scene.spheres)
     assert fast is not None
@@ -110,7 +110,7 @@ def test_momentum_is_kept_and_energy_explained() -> None:
 
 
 def partly_held(scene: Scene) -> Scene:
-    """The same, every seventh sphere held in place; some of them overlap."""
+    """The same with every seventh sphere fixed; some of these overlap."""
     s = scene.spheres
     moving = (np.arange(len(s)) % 7 > 0)[:, None] * np.ones(3, bool)
     x = s.position.copy()
@@ -158,7 +158,7 @@ def test_an_ask_of_many_free_spheres_is_given_the_bulk_model() -> None:
 
 @pytest.mark.parametrize("sunk", [0.15, 0.05])
 def test_of_many_spheres_the_deepest_contact_is_told_itself(sunk: float) -> None:
-    """All are pressed a little, so that one which held all their energy would be deep."""
+    """All are slightly compressed, so that one contact with all their energy would be deep."""
     grid = np.stack(np.meshgrid(*map(np.arange, (6, 6, 6)), indexing="ij"), 3).reshape(-1, 3)
     x = RADIUS * 1.97 * np.asarray(grid, float)
     x[0] -= (sunk - 0.03) * np.array([-RADIUS, 0.0, 0.0])

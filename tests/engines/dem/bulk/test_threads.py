@@ -22,7 +22,7 @@ ACROSS = (10, 10, 41)  # 4100 spheres, which make four chunks
 
 
 def program(law: str, threads: int) -> dem.PreparedSpheres:
-    """A crowd that goes through 90 steps and tells three times where all of it is."""
+    """A crowd that takes 90 steps and reports its positions three times."""
     contact, eta = LAWS[law]
     scene = crowd(contact, eta, across=ACROSS)
     seen = tuple(map(Displacement, range(len(scene.spheres))))
@@ -31,7 +31,10 @@ def program(law: str, threads: int) -> dem.PreparedSpheres:
 
 @pytest.mark.parametrize("law", LAWS)
 def test_threads_give_the_bits_of_one_core(law: str) -> None:
-    """In a process of its own: this one is held to one thread. Three do not divide four chunks."""
+    """It runs in a process of its own, since this one has one thread.
+
+    Three threads do not divide four chunks evenly.
+    """
     script = (
         "from tests.engines.dem.bulk.test_threads import program\n"
         f"told = [program({law!r}, threads) for threads in (1, 2, 3)]\n"
@@ -47,7 +50,7 @@ def test_threads_give_the_bits_of_one_core(law: str) -> None:
 
 
 def test_one_core_is_given_no_loop_for_threads() -> None:
-    """Which would take long to compile, and be waited for by those who asked for none."""
+    """Such a loop takes long to compile, which a run on one core need not wait for."""
     place = BulkState._fields.index("threads") - len(BulkState._fields) - 2  # before the leapfrog
     told = [program("friction and drag", threads).arguments[place] for threads in (1, 2)]
     assert told == [None, 2]

@@ -1,4 +1,4 @@
-"""Claims about viscous contacts of spheres that move in space: routes, order, books, limits."""
+"""Claims about viscous contacts of spheres in space: routes, order, energy balance, limits."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def one(gap: float, eta: float) -> Scene:
 
 
 def two(gap: float, spinning: bool = False) -> Scene:
-    """Both masses free in space, head-on in their frame at rest."""
+    """Both masses free in space, in a head-on collision in the frame of their centre of mass."""
     spheres = Spheres(
         np.array([0 * N, (2 + gap) * N]), SPEED * np.outer([0.75, -0.25], N), np.ones(2), M,
         np.ones((2, 3), bool), free_spin=np.full((2, 3), spinning),
@@ -60,7 +60,7 @@ def two(gap: float, spinning: bool = False) -> Scene:
 
 
 def moved(run: Run, bodies: tuple[int, ...]) -> Vector:
-    """Displacement of the last body against the first, or against what does not move, along N."""
+    """Displacement of the last body relative to the first, or to one at rest, along N."""
     u = [run.values[Displacement(body)] @ N for body in bodies]
     return np.asarray(u[-1] - u[0] if len(u) > 1 else u[0])
 
@@ -104,7 +104,7 @@ def heap(eta: float) -> Scene:
 
 
 def off(run: Run, eta: float) -> float:
-    """How far a run of the heap is from what scipy finds, of the farthest way there."""
+    """The difference of a run of the heap from that of scipy, over the largest displacement."""
     due = event_located(heap(eta), ran(run).times, 1e-3)
     u = np.stack([run.values[Displacement(body)][:, :2] for body in HEAPED], axis=1)
     return float(np.abs(u - due).max() / np.abs(due).max())
@@ -198,7 +198,7 @@ def test_late_dashpots_lower_the_largest_stable_step_by_the_stiffness_of_the_who
 
 @pytest.mark.parametrize("z", [2.0, 5.0])
 def test_a_step_in_half_of_which_a_dashpot_stops_what_approaches_is_the_longest(z: float) -> None:
-    """Beyond, the start of a closed contact made energy: -1 became 1.6 at z = 5, w dt = 0.5."""
+    """Beyond it, a contact closed at t = 0 created energy: -1 became 1.6 at z = 5, w dt = 0.5."""
     scene = two(-1e-3)
     law = Contact(KN, eta_n=2 * z * sqrt(KN * REDUCED))
     stiff = dataclasses.replace(scene, contact=law)

@@ -1,4 +1,4 @@
-"""Claims about friction in the DEM engine: no step gives energy to the motion by it."""
+"""Claims about friction in the DEM engine: in no step does it add energy to the motion."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def rubbed(seed: int) -> Scene:
 
 
 def lost(scene: Scene, leapfrog: Leapfrog, dt: float) -> tuple[Vector, Vector]:
-    """What friction took by each step [J], and how fast surfaces may slide in it [m/s]."""
+    """The work of friction up to each step [J], and the largest velocity of slip in it [m/s]."""
     spheres = scene.spheres
     first = next(i for i, group in enumerate(scene.bodies) if isinstance(group, Spheres))
     seen = tuple(Displacement(first + i) for i in range(len(spheres)))
@@ -63,9 +63,9 @@ def test_under_a_steady_load_no_step_gains(seed: int, leapfrog: Leapfrog, dt: fl
 def test_in_collisions_a_step_gains_no_more_than_the_end_of_a_contact_in_it(
     kind: object, seed: int, leapfrog: Leapfrog, dt: float
 ) -> None:
-    """Where the cap falls within the step, the mean of its ends is not the mean of the force.
+    """If the limit decreases within a step, the mean of its ends is not the mean of the force.
 
-    That is mu kn (v dt)^2/8 at most, mu times what the normal spring gains by ending so.
+    The difference is mu kn (v dt)^2/8 at most, mu times the gain of a normal spring that ends so.
     """
     scene: Scene = kind(seed)  # type: ignore[operator]
     taken, speed = lost(scene, leapfrog, dt)
@@ -75,7 +75,7 @@ def test_in_collisions_a_step_gains_no_more_than_the_end_of_a_contact_in_it(
 
 
 def test_a_contact_that_ends_within_a_step_does_give_some() -> None:
-    """So the bound above is about something: 8 % of it in a step of this motion, a coarse one."""
+    """So the bound above is relevant: the gain is 8 % of it in a coarse step of this motion."""
     scene = falling(523)
     taken, speed = lost(scene, dem.CENTRED, 5e-3)
     most = scene.contact.mu * scene.contact.kn * (5e-3 * speed.max()) ** 2 / 8

@@ -1,4 +1,4 @@
-"""Claims about contacts that slip in part: second order, in any frame, and refused where many."""
+"""Claims about contacts with partial slip: second order, in any frame, and refused for many."""
 
 import math
 
@@ -21,7 +21,7 @@ X, Y, Z = np.eye(3)
 
 
 def thrown(along: float, turn: Vector | None = None) -> Scene:
-    """A sphere thrown at a wall it touches at 1 m/s, and along it, all turned by a matrix."""
+    """A sphere thrown at a wall that it touches at 1 m/s, and along it, all rotated by a matrix."""
     turn = np.eye(3) if turn is None else turn
     sphere = Spheres(
         position=RADIUS * Z[None] @ turn,
@@ -36,7 +36,7 @@ def thrown(along: float, turn: Vector | None = None) -> Scene:
 
 
 def after(scene: Scene, steps: int) -> Vector:
-    """The velocity after the impact, with so many steps in 3 ms."""
+    """The velocity after the impact, with a number of steps in 3 ms."""
     ask = Ask(scene, History(LASTS, LASTS), (Velocity(1),), Knobs(dt=LASTS / steps))
     run = solve(ask, dem.CENTRED)
     assert run.values, run.reason

@@ -1,4 +1,4 @@
-"""Claims about the shear spring of DEM's contacts when the contact plane turns."""
+"""Claims about the shear spring of DEM's contacts when the contact plane rotates."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from vv.scene import Vector
 
 @compiled
 def carried(spring: Triple, n: Triple, n_before: Triple, twist: float) -> Triple:
-    """A spring after a step in which nothing slid and the plane turned."""
+    """A spring after a step without slip in which the plane rotated."""
     touch = Touch(0.0, 0.0, n, n_before, n, (0.0, 0.0), NOWHERE, NOWHERE, twist)
     return trial_force(spring, touch, NOWHERE, 1.0)[2]
 
 
 def least_turn(before: Vector, after: Vector) -> Rotation:
-    """The rotation about an axis square to both that takes one direction to another."""
+    """The rotation about an axis perpendicular to both that takes one direction to another."""
     axis = np.cross(before, after)
     angle = np.arctan2(np.linalg.norm(axis), before @ after)
     return Rotation.from_rotvec(angle * axis / np.linalg.norm(axis))

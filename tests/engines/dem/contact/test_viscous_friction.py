@@ -1,4 +1,4 @@
-"""Claims about dashpots beside friction, moving walls and bonds: order, routes, books."""
+"""Claims about dashpots with friction, moving walls and bonds: order, routes, energy balance."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def asked(scene: Scene, steps: int, bodies: range = range(1, 2), lasts: float = 
 
 
 def off(run: Run, impact: Impact) -> float:
-    """The error of the path in parts of the farthest that it leads."""
+    """The error of the path over its largest displacement."""
     due = np.stack(motion(ran(run).times, impact), axis=1)
     return float(np.abs(run.values[BALL][:, :2] - due).max() / np.abs(due).max())
 
@@ -116,7 +116,7 @@ def test_a_wall_that_moves_is_a_wall_at_rest_to_one_who_moves_with_it(impact: Im
 
 
 def thrown(bonds: Bonds | None, place: Vector, speed: float) -> Scene:
-    """Two spheres of a bond, or none, and a third one thrown at them; a wall below."""
+    """Two spheres with or without a bond, and a third one thrown at them; a wall below."""
     velocity = np.zeros((3, 3))
     velocity[2, 0] = -speed
     spheres = Spheres(place, velocity, np.full(3, 0.5), np.ones(3), np.ones((3, 3), bool))
@@ -128,7 +128,7 @@ ROW = np.array([[0.0, 0.0, 0.0], [1.2, 0.0, 0.0], [2.19, 0.1, 0.0]])
 
 
 def test_beside_a_bond_contacts_are_damped_as_they_are_without() -> None:
-    """The bond holds the first two, which without it would not meet before the end."""
+    """The bond holds the first two, which would not touch before the end without it."""
     tie = Bonds(np.array([[1, 2]]), np.array([1.2]), np.array([1e-9]), np.zeros(1))
     runs = [
         ran(dem.solve_default(asked(thrown(bonds, ROW, 1.0), 40, range(1, 4), 0.06)))
@@ -143,7 +143,7 @@ def test_beside_a_bond_contacts_are_damped_as_they_are_without() -> None:
 
 
 def test_spheres_whose_bond_has_parted_meet_on_dashpots_and_close_the_books() -> None:
-    """They are pressed past what the bond bears across it, and go on as a contact."""
+    """The bond fails in shear under compression, and they continue as a contact."""
     place = ROW - [[0, 0, 0], [0.2, 0, 0], [0.2, 0, 0]]
     tie = Bonds(
         np.array([[1, 2]]), np.array([1.0]), np.array([1e4]), np.array([5e3]),

@@ -32,7 +32,7 @@ def thrown(z: float, gap: float, mu: float = 0.0, along: float = 0.0) -> Scene:
 
 
 def after(scene: Scene, steps: int) -> np.ndarray:
-    """The velocity after the impact, with so many steps in 3 ms."""
+    """The velocity after the impact, with a number of steps in 3 ms."""
     goal = History(3e-3, 3e-3)
     run = solve(Ask(scene, goal, (Velocity(1),), Knobs(dt=3e-3 / steps)), dem.CENTRED)
     assert run.values, run.reason
