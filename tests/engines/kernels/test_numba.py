@@ -38,9 +38,9 @@ from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.compiler.folding import Folding
 from vv.engines.kernels.compiler.lean import BUFFER, SHAPE, STRIDES, Lean
-from vv.engines.kernels.compiler.manager import quietly
+from vv.engines.kernels.compiler.manager import without_events
 from vv.engines.kernels.compiler.parts import Part, Whole, linked
-from vv.engines.kernels.compiler.passes import Settled
+from vv.engines.kernels.compiler.passes import CachedFlags
 from vv.scene import Vector
 
 CHANGED = (
@@ -255,7 +255,7 @@ def test_variables_are_those_that_numba_lists() -> None:
     one, two, three = (made.Var(scope, name, here) for name in "abc")
     statement = made.Assign(made.Expr.call(one, [two], {"key": three}, here), two, here)
     listed = [variable.name for variable in statement.list_vars()]
-    with quietly():
+    with without_events():
         assert [variable.name for variable in statement.list_vars()] == listed == [*"abcb"]
 
 
@@ -312,7 +312,7 @@ def test_elements_and_ranges_are_those_of_python() -> None:
 def test_flags_that_are_settled_equal_those_they_were_made_of() -> None:
     plain: Any = compiler.Flags()  # type: ignore[no-untyped-call]
     plain.nrt = True
-    settled: Any = Settled(plain)
+    settled: Any = CachedFlags(plain)
     assert settled == plain
     assert plain == settled
     assert hash(settled) == hash(plain)

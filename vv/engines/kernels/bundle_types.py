@@ -45,7 +45,7 @@ class Bundle(types.StructRef):
 register_model(Bundle)(cast(Any, models).StructRefModel)
 
 
-def learn(origin: type, made: type) -> None:
+def register(origin: type, made: type) -> None:
     """Register a named tuple with numba, and the class by which kernels make bundles."""
     typeof_impl.register(origin)(typeof_bundle)
     typeof_impl.register(type(made))(typeof_maker)

@@ -26,13 +26,13 @@ def bundle(origin: Fields) -> Fields:
     made: Any = Bundled(origin.__name__, (origin,), {**named, "__slots__": ()})
     UNKNOWN.append((origin, made))
     if "numba" in sys.modules:
-        introduce()
+        register_all()
     return cast(Fields, made)
 
 
-def introduce() -> None:
+def register_all() -> None:
     """Register all bundles with numba."""
-    from vv.engines.kernels.bundle_types import learn
+    from vv.engines.kernels.bundle_types import register
 
     while UNKNOWN:
-        learn(*UNKNOWN.pop())
+        register(*UNKNOWN.pop())

@@ -14,7 +14,7 @@ from typing import Any, TypeVar, cast
 
 from vv.base.closure import import_closure, source_digest
 from vv.base.private_folder import cache_root
-from vv.engines.kernels.bundles import introduce
+from vv.engines.kernels.bundles import register_all
 from vv.engines.kernels.once import once
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
@@ -37,7 +37,7 @@ class Deferred:
     @functools.cached_property
     def dispatcher(self) -> Any:
         """The function as wrapped by numba."""
-        introduce()
+        register_all()
         return self._wrap(self._function)
 
     def __call__(self, *args: object) -> object:

@@ -46,7 +46,7 @@ class Lean(CPUContext):
 
     def get_function(self, function: Any, signature: Any, _firstcall: bool = True) -> Any:
         """The generator of the code of a call."""
-        ours = written(function, signature)
+        ours = generator_of(function, signature)
         if ours is None:
             return NUMBA.get_function(self, function, signature, _firstcall)
         return functools.partial(ours, self, signature)
@@ -92,13 +92,13 @@ def sizeof(name: str, look: Callable[[], int]) -> int:
     return SIZES[name]
 
 
-def written(function: Any, signature: Any) -> Any:
+def generator_of(function: Any, signature: Any) -> Any:
     """The function of this module that generates the code of a call, or None."""
     args = signature.args
     if function == "getiter" and args[0] in RANGES:
-        return begun
+        return range_iterator
     if function == "iternext" and args[0] in COUNTS:
-        return next_one
+        return next_in_range
     if isinstance(function, types.Function):
         for key, fits, ours in CALLS:
             if function.typing_key is key and fits(signature):
@@ -159,7 +159,7 @@ def length(context: Any, signature: Any, builder: Any, args: Any, loc: Any = Non
     return builder.extract_value(args[0], [SHAPE, 0])
 
 
-def counted(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+def make_range(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
     """The code for range(last) or range(first, last)."""
     word = args[0].type
     first = word(0) if len(args) == 1 else args[0]
@@ -167,7 +167,7 @@ def counted(context: Any, signature: Any, builder: Any, args: Any, loc: Any = No
     return together(builder, kind, first, args[-1], word(1))
 
 
-def begun(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+def range_iterator(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
     """The code for the iterator of a range; its counter starts a step before the first number."""
     last = args[0]
     if not (isinstance(last, ir.instructions.InsertValue) and steps_by_one(last)):
@@ -192,7 +192,7 @@ def steps_by_one(made: Any) -> bool:
     return list(made.indices) == [2] and isinstance(step, ir.Constant) and step.constant == 1
 
 
-def next_one(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+def next_in_range(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
     """The code for the next number of a range, and for whether there is one.
 
     The stored counter is the number itself: LLVM can then prove that it is not negative if the
@@ -207,7 +207,7 @@ def next_one(context: Any, signature: Any, builder: Any, args: Any, loc: Any = N
 
 
 CALLS: tuple[Any, ...] = (
-    (range, lambda s: len(s.args) < 3 and s.return_type in RANGES, counted),
+    (range, lambda s: len(s.args) < 3 and s.return_type in RANGES, make_range),
     (len, lambda s: isinstance(s.args[0], types.Array) and s.args[0].ndim, length),
     (operator.getitem, lambda s: names_element(*s.args), element),
     (

@@ -37,7 +37,7 @@ class Passes(MANAGER):  # type: ignore[misc]
         one.run_finalizer(state)
 
 
-class Nobody(list[Any]):
+class NoListeners(list[Any]):
     """A list of listeners that stays empty while a kernel is compiled, with some 100 000 events."""
 
     def append(self, listener: object) -> None:
@@ -60,7 +60,7 @@ class Silent:
 SILENT = Silent()
 
 
-def in_silence(*_: object, **__: object) -> Silent:
+def silent_context(*_: object, **__: object) -> Silent:
     """The replacement for the context that numba makes at each call to explain an error."""
     return SILENT
 
@@ -107,11 +107,11 @@ def gather(value: Any, found: list[Any]) -> None:
 
 
 @contextlib.contextmanager
-def quietly() -> Iterator[None]:
+def without_events() -> Iterator[None]:
     """A context in which numba compiles without event listeners and without texts for errors."""
     heard, explained = EVENTS._registered, TYPING.new_error_context
-    EVENTS._registered = defaultdict(Nobody)
-    TYPING.new_error_context, TYPING.ConstraintNetwork = in_silence, Constraints
+    EVENTS._registered = defaultdict(NoListeners)
+    TYPING.new_error_context, TYPING.ConstraintNetwork = silent_context, Constraints
     STATEMENT._rec_list_vars = variables
     try:
         yield

@@ -18,8 +18,8 @@ from numba.core.environment import lookup_environment
 from vv.engines.kernels.compiler.direct import call_that_raises, direct_call
 from vv.engines.kernels.compiler.lean import Lean
 from vv.engines.kernels.compiler.lowering import Write
-from vv.engines.kernels.compiler.manager import quietly
-from vv.engines.kernels.compiler.passes import Settled, front_end
+from vv.engines.kernels.compiler.manager import without_events
+from vv.engines.kernels.compiler.passes import CachedFlags, front_end
 
 ENVIRONMENT = "_ZN08NumbaEnv"  # how numba begins the names of what functions refer to at run time
 
@@ -157,17 +157,17 @@ class Refer(LoweringPass):
         return True
 
 
-class Settling(compiler.CompilerBase):
+class OwnCompiler(compiler.CompilerBase):
     """numba's compiler with flags that are compared quickly."""
 
     def __init__(
         self, typing: Any, target: Any, library: Any, args: Any, kind: Any, flags: Any, local: Any
     ) -> None:
-        super().__init__(typing, target, library, args, kind, Settled(flags), local)
+        super().__init__(typing, target, library, args, kind, CachedFlags(flags), local)
         self.state.targetctx.__class__ = Lean  # a copy for these flags, which is used nowhere else
 
 
-class PartCompiler(Settling):
+class PartCompiler(OwnCompiler):
     """Compiles a part."""
 
     def define_pipelines(self) -> list[Any]:
@@ -178,7 +178,7 @@ class PartCompiler(Settling):
         return [pipeline("part", HandOver)]
 
 
-class WholeCompiler(Settling):
+class WholeCompiler(OwnCompiler):
     """Compiles a whole."""
 
     library: type[Whole] = Whole
@@ -195,7 +195,7 @@ class WholeCompiler(Settling):
         collects = gc.isenabled()
         gc.disable()
         try:
-            with quietly():
+            with without_events():
                 return super()._compile_core()
         finally:
             if collects:

@@ -39,7 +39,7 @@ NEEDLESS = frozenset({"peep_hole_delete_with_exit", "peep_hole_fuse_dict_add_upd
 REWRITES: Any = registry.rewrite_registry.rewrites["before-inference"]
 
 
-class Settled(compiler.Flags):
+class CachedFlags(compiler.Flags):
     """Compiler flags whose values are computed once: numba compares them hundreds of times."""
 
     def __init__(self, copy_from: Any = None) -> None:
@@ -54,14 +54,14 @@ class Settled(compiler.Flags):
         return self._seen[1]
 
     def __eq__(self, other: object) -> bool:
-        if isinstance(other, Settled) and self._values == other._values:
+        if isinstance(other, CachedFlags) and self._values == other._values:
             return True
         return bool(super().__eq__(other))  # type: ignore[no-untyped-call]
 
     __hash__ = compiler.Flags.__hash__
 
 
-class Remembering:
+class CachingContext:
     """numba's typing context with a cache for the types of calls and of array elements."""
 
     def __init__(self, context: Any, known: dict[Any, Any]) -> None:
@@ -72,7 +72,7 @@ class Remembering:
 
     def resolve_function_type(self, function: Any, args: Any, keywords: Any) -> Any:
         """The signature of a call."""
-        if keywords or not plain(function, args):
+        if keywords or not is_cacheable(function, args):
             return self._context.resolve_function_type(function, args, keywords)
         if isinstance(function, types.Dispatcher):  # one copy for all constants
             args = tuple(map(types.unliteral, args))
@@ -96,7 +96,7 @@ class Remembering:
         return self._known[key]
 
 
-def plain(function: Any, args: Any) -> bool:
+def is_cacheable(function: Any, args: Any) -> bool:
     """Whether a call is one of a part, arithmetic of numbers, or reads an array element."""
     if isinstance(function, types.Dispatcher):
         return True
@@ -167,18 +167,18 @@ class Types(FunctionPass):
 
     def run_pass(self, state: Any) -> bool:
         context = state.typingctx
-        state.typingctx = Remembering(context, KNOWN)
+        state.typingctx = CachingContext(context, KNOWN)
         try:
             inference: Any = typed_passes.NopythonTypeInference()  # type: ignore[no-untyped-call]
             inference.run_pass(state)
         finally:
             state.typingctx = context
         if not state.flags.nrt:
-            refuse_gifts(state)
+            refuse_returned_arrays(state)
         return True
 
 
-def refuse_gifts(state: Any) -> None:
+def refuse_returned_arrays(state: Any) -> None:
     """Raise NumbaTypeError if a function that counts no references is returned an array."""
     for call, signature in state.calltypes.items():
         gift = getattr(signature, "return_type", None)
