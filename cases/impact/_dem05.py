@@ -1,4 +1,4 @@
-"""DEM05 of MFiX: impacts at its angles, by laws that are exact here, beside what MFiX prints."""
+"""DEM05 of MFiX: impacts at its angles, judged by exact answers, and the numbers that it prints."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Materials of the impact benchmarks of Chung and Ooi (2011), and their moduli.
 
-Moduli and densities are those of the paper as other codes' benchmarks repeat them.
+Moduli and densities are those of the paper, as benchmarks of other codes quote them.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ def defaults(material: str) -> dict[str, float]:
 
 
 def mass(p: Parameters) -> float:
-    """Of a sphere [kg]."""
+    """The mass of a sphere [kg]."""
     return p["rho"] * 4.0 / 3.0 * math.pi * p["R"] ** 3
 
 
 def moduli(p: Parameters, bodies: int) -> Hertz:
-    """Of a contact of so many elastic bodies of one material: the other one, if any, is rigid."""
+    """Moduli of a contact of `bodies` elastic bodies of one material; any other body is rigid."""
     if not 0.0 <= p["poisson"] <= 0.5:
         raise ValueError(f"poisson = {p['poisson']!r}; Poisson's ratio must lie in [0, 0.5]")
     return Hertz(

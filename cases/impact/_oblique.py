@@ -15,11 +15,11 @@ from vv.ask import Displacement, Method, Observable, Run, Velocity
 from vv.case import Exact, Scalar, Tolerance
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
-FLOOR = 1e-6  # what arms that differ in second order of U/R change where overlaps are 1e-3 R
-LEAST = 0.02  # of a step in a unit
+FLOOR = 1e-6  # effect of arms that differ in second order of U/R, at overlaps of 1e-3 R
+LEAST = 0.02  # least bound of first order, over the step as a part of a contact
 APART = 6.0  # radii between impacts
 ARMS = (0.5, 0.5), (1.0, 1.0), (1.0, 0.5)  # a and b of `Law`, in which codes differ
-SPRINGS = 0.0, 1.0  # h of it
+SPRINGS = 0.0, 1.0  # h of `Law`, in which codes differ too
 OURS = (ARMS[0], SPRINGS[0])
 Choice = tuple[tuple[float, float], float]
 NORMAL, ALONG, ASIDE = np.eye(3)
@@ -39,7 +39,7 @@ class Blow:
 
     @property
     def speed(self) -> float:
-        """The velocity of the sphere [m/s], of which errors are parts."""
+        """The speed of the sphere [m/s], to which errors are relative."""
         return math.hypot(self.vn, self.vt)
 
 
@@ -62,7 +62,7 @@ class Impacts:
 
     @property
     def slips_in_part(self) -> bool:
-        """Whether contacts slip in part, which one code alone has."""
+        """Whether contacts have micro-slip, which only one code has."""
         return self.contact.hertz is not None and self.contact.hertz.micro_slip
 
     @property
@@ -86,7 +86,7 @@ class Impacts:
         return Law(*factors, law.mu, 1.5, law.hertz.damping)
 
     def scene(self) -> Scene:
-        """Each impact at a place of its own, what meets in it touching at t = 0."""
+        """All impacts side by side; the bodies of each touch at t = 0."""
         one, two, each = self.sphere, self.partner, self.each
         place, velocity, spin = np.zeros((3, len(self.blows), each, 3))
         width = APART * max(one.radius, 0.0 if two.is_wall else two.radius)
@@ -118,7 +118,7 @@ class Impacts:
         return tuple(kind(body) for body in bodies for kind in (Displacement, Velocity))
 
     def after(self, name: str, choice: Choice = OURS) -> After:
-        """The exact end of an impact, by the scene's law or by one that differs as codes do."""
+        """The exact end of an impact, by the scene's law or by one in which codes differ."""
         blow, ((a, b), h) = self.blows[name], choice
         solve = micro_slip.rebound if self.slips_in_part else rebound
         return solve(
@@ -131,7 +131,7 @@ class Impacts:
         return np.asarray((self._relative(Velocity, name, run) @ np.array([NORMAL, ALONG]).T)[-1])
 
     def _relative(self, kind: type[Displacement] | type[Velocity], name: str, run: Run) -> Vector:
-        """An observable (k, 3) of the sphere less that of its partner."""
+        """An observable (k, 3) of the sphere minus that of its partner."""
         first = self.each * [*self.blows].index(name)
         own = run.values[kind(first)]
         return np.asarray(own if self.each == 1 else own - run.values[kind(first + 1)])
@@ -158,7 +158,8 @@ class Impacts:
     def worst(self, judge: Exact) -> Scalar:
         """The largest error of all impacts."""
         return Scalar(
-            "worst", "max|e|", "", "largest error of a velocity after impact, over that before",
+            "worst", "max|e|", "", "largest error of a velocity after impact, over the speed "
+            "before",
             lambda run: max(self.error(name, run) for name in self.blows), 0.0, 1.0, judge,
         )  # fmt: skip
 
@@ -166,9 +167,9 @@ class Impacts:
         """The largest error with the best-fitting of the laws in which codes differ."""
         return Scalar(
             "nearest", "min max|e|", "",
-            "the same by the nearest law of those that codes have: arms R - U/2 or R - U, or R - U "
-            "of slip and R - U/2 of torque; shear by increments or by a spring of today's "
-            "stiffness", self._nearest, 0.0, 1.0, judge,
+            "the same with the closest of the laws that codes have: arms of R - U/2 or R - U, or R "
+            "- U for slip and R - U/2 for torque; shear by increments, or by a spring of the "
+            "current stiffness", self._nearest, 0.0, 1.0, judge,
         )  # fmt: skip
 
     def _laws(self) -> Iterator[Choice]:
@@ -183,7 +184,7 @@ class Impacts:
         )
 
     def lasting(self, judge: Exact) -> Scalar:
-        """The largest error of when bodies no longer overlap, relative to each."""
+        """The largest relative error of the time at which an overlap ends."""
 
         def errors(run: Run, law: Choice) -> Iterator[float]:
             for name in self.blows:
@@ -191,14 +192,15 @@ class Impacts:
 
         return Scalar(
             "lasting", "max|tc/tc* - 1|", "",
-            "largest error of when an overlap is gone, by the nearest of these laws",
+            "largest relative error of the time at which an overlap ends, with the closest of "
+            "these laws",
             lambda run: least_of_largest(errors(run, law) for law in self._laws()), 0.0, 1.0, judge,
         )  # fmt: skip
 
     def longest(self) -> float:
-        """When the last of the overlaps is gone [s], of the slowest impact along the normal.
+        """The time at which the last overlap ends [s], of the slowest impact along the normal.
 
-        What happens across the normal changes it by the second order of U/R.
+        Motion across the normal changes it in second order of U/R.
         """
         law, slowest = self.law, min(blow.vn for blow in self.blows.values())
         if law.z:
@@ -212,8 +214,8 @@ class Impacts:
 def least_of_largest(rows: Iterable[Iterable[float]]) -> float:
     """The least of the largest numbers of rows; nan if a number is.
 
-    A row is given up at a number that is larger than the largest of another: each is computed when
-    it is asked for, and costs an integration.
+    A row is abandoned at a number that is larger than the largest of another: each is computed on
+    demand, and costs an integration.
     """
     least = math.inf
     for row in rows:
@@ -229,19 +231,20 @@ def least_of_largest(rows: Iterable[Iterable[float]]) -> float:
 
 
 def judged(value: float, unit: float, steps: int, reason: str, late: float = 0.0) -> Exact:
-    """Second order, in contacts of about a `unit` [s] that so many steps go into.
+    """The bounds at `steps` steps in contacts that last for about a `unit` [s].
 
-    late: what viscous forces of half a step before change by one step in a unit.
+    late: the effect of viscous forces that are half a step late, at a step of a unit.
     """
     dt = unit / steps
-    why = f"{reason}; at least what arms that differ in second order of U/R change"
+    why = f"{reason}. The floor is the effect of arms that differ in second order of U/R"
     step = Tolerance(value, why, dt=dt, order=2, floor=FLOOR)
     behind = Tolerance(
         (LEAST + late) / steps,
-        "a viscous force from half a step before: as if the mass were less by z w dt, which "
-        "changes speeds along the normal and what friction can be by up to pi z^2 and pi z times "
-        "half of that; a contact that begins without it loses z w dt of the speed, pi z over the "
-        "steps; at least half of what elastic forces may be off at the coarsest step",
+        "a viscous force that is half a step late acts as if the mass were smaller by a fraction z "
+        "w dt. That changes normal speeds by up to pi z^2, and the limit of friction by up to pi "
+        "z, times half of the fraction; a contact that begins without the force loses a fraction z "
+        "w dt of the speed, pi z over the steps. At least half of the bound of elastic forces at "
+        "the coarsest step is allowed",
         dt=dt, order=1,
     )  # fmt: skip
     return Exact({Method.SECOND_ORDER: step, Method.FIRST_ORDER: behind})

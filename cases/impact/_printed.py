@@ -1,7 +1,7 @@
-"""What MFiX prints of its cases DEM01, DEM02, DEM05 and DEM06, beside what codes compute here.
+"""The numbers that MFiX prints for its cases DEM01, DEM02, DEM05 and DEM06.
 
-These are answers of another code, by a law of its own: they are no exact answers, and where a code
-agrees with them it does the same. Tests hold the exact answers of MFiX's own law against them.
+They are answers of another code with a contact law of its own, not exact answers: a code that
+agrees with them does the same. Tests compare them with the exact answers of MFiX's law.
 """
 
 from __future__ import annotations
@@ -31,24 +31,26 @@ KEPT = {  # law: {angle of impact [degrees]: tangential restitution}
     },
     "hertz": {5.0: 0.9400, 10.0: 0.6903, 15.0: 0.6236, 20.0: 0.6150, 30.0: 0.6813, 45.0: 0.8160},
 }  # fmt: skip
-FROM = {"linear": 25.0, "hertz": 25.0}  # degrees from which on all slips, by whatever law
+FROM = {"linear": 25.0, "hertz": 25.0}  # angle [degrees] from which all contacts slip, by any law
 CLOSE = 3e-3  # of the value
 SOURCE = "MFiX's verification tests {}, what the code computes"
 PULLS = (
-    "its contact pulls until the overlap is gone, and ends with the same restitution: the exact "
-    "answer here is within 0.3 % of the heights that it prints, and within 0.12 mm in the impact; "
-    "steps of every size are shown"
+    "MFiX's contact may pull until the overlap ends, with the same restitution: the exact answer "
+    "here is within 0.3 % of the heights that it prints, and within 0.12 mm in the impact; steps "
+    "of every size are shown"
 )
-SAME = "the same drag, coupled one way: its step is all that differs, 0.005 % of the velocity"
+SAME = "the drag is the same, coupled one way; only MFiX's step differs, by 0.005 % of the velocity"
 SPRUNG = {
-    "linear": "all slips, and only friction counts; its step is a 71st of the contact",
-    "hertz": "all slips, and only friction counts",
+    "linear": "the contact slips all the time, so that only friction matters; MFiX's step is a "
+    "71st of the contact",
+    "hertz": "the contact slips all the time, so that only friction matters",
 }
 OTHERWISE = {
-    "linear": "it sticks in part: the rule of Adams and Bashforth at a 71st of the contact, which "
-    "that rule, stepped by itself, has to the last digit: up to 1.6 % at 10 degrees; arms R - U",
-    "hertz": "it sticks in part: its shear spring has today's stiffness and so gives way as the "
-    "contact opens, and its arms are R - U",
+    "linear": "the contact sticks for a part of the time. MFiX's Adams-Bashforth rule at a 71st of "
+    "the contact has errors of up to 1.6 %, at 10 degrees, which that rule stepped by itself has "
+    "to the last digit; its arms are R - U",
+    "hertz": "the contact sticks for a part of the time; MFiX's shear spring has the current "
+    "stiffness, so that it loses force as the contact opens, and its arms are R - U",
 }
 
 
@@ -80,7 +82,8 @@ def sinks(p: Parameters) -> tuple[Scalar, ...]:
     """Velocities of a sphere that sinks in gas, in the frame in which the gas rises."""
     return tuple(
         Scalar(
-            f"at {when:g}", "v", "m/s", f"velocity upwards at {when:g} s, where gas rises by it",
+            f"at {when:g}", "v", "m/s", f"upward velocity at {when:g} s, in the frame in which the "
+            "gas rises",
             partial(_speed_at, when, p["v"]),
             None, 1.0,
             CodeToCode(
@@ -139,7 +142,7 @@ def _risen(run: Run) -> Vector:
 
 
 def _between(times: Vector, rows: Vector, when: float) -> float:
-    """Rows at a time between outputs, by the cubic through the four around it."""
+    """Rows at a time between outputs, by the cubic through the four outputs around it."""
     first = int(np.clip(np.searchsorted(times, when) - 2, 0, len(times) - 4))
     near, value = times[first : first + 4], rows[first : first + 4]
     weights = [

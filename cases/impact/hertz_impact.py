@@ -28,12 +28,12 @@ from vv.scene import Contact, Hertz, Scene, Spheres, Vector, Wall
 
 X = np.array([1.0, 0.0, 0.0])
 STEPS = (100, 200, 400, 1600)  # in the duration of the contact
-SEEN, LASTS = 100, 1.5  # outputs in that duration, and how many of them in all
+SEEN, LASTS = 100, 1.5  # outputs in that duration; duration of the run over it
 PAIRS = ("glass", "limestone")
 
 
 def _scene(pair: bool, p: Parameters) -> Scene:
-    """What touches at t = 0: two spheres that approach each other, or one and a wall."""
+    """Two spheres that approach each other, or one and a wall; they touch at t = 0."""
     spheres = Spheres(
         position=np.outer([1.0, -1.0] if pair else [1.0], p["R"] * X),
         velocity=np.outer([-1.0, 1.0] if pair else [-1.0], p["v"] * X),
@@ -54,7 +54,7 @@ def _law(pair: bool, p: Parameters) -> dict[str, float]:
 
 
 def _approach(pair: bool, kind: type[Displacement] | type[Velocity], run: Run) -> Vector:
-    """By how much, or how fast, the bodies approached (k,)."""
+    """The approach of the bodies, or its rate (k,)."""
     away = run.values[kind(0)] @ X
     return np.asarray(run.values[kind(1)] @ X - away if pair else -away)
 
@@ -75,7 +75,7 @@ def _slowing(pair: bool, run: Run) -> Vector:
 
 
 def _parting(pair: bool, run: Run) -> float:
-    """When they parted: by how far and how fast they are apart at the end."""
+    """The time of separation, from the distance and the speed of the bodies at the end."""
     gap, speed = (_approach(pair, kind, run)[-1] for kind in (Displacement, Velocity))
     return float(run.times[-1] - gap / speed) if speed < 0 else float("nan")
 
@@ -103,8 +103,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         Scalar(name, symbol, unit_of, meaning, *figures[name], figures[name][1], judge)
         for name, symbol, unit_of, meaning in (
             ("deepest", "U_max", "m", "largest overlap"),
-            ("force", "F_max", "N", "largest force, by how fast the bodies slow down"),
-            ("lasting", "tc", "s", "duration of the contact, by where they are at the end"),
+            ("force", "F_max", "N", "largest force, from the deceleration of the bodies"),
+            ("lasting", "tc", "s", "duration of the contact, from the positions at the end"),
         )
     ]
     study = Ladder(_scene(pair, p), goal, seen, levels)
@@ -116,8 +116,8 @@ def _judge(unit: float) -> Exact:
     return Exact({
         Method.SECOND_ORDER: Tolerance(
             5.0 / STEPS[0] ** 2,
-            "(w dt)^2/24 of the phase for w of the stiffest moment, which is 1.2 times pi/tc, and "
-            "the same for what the force lacks in the steps in which contact begins and ends",
+            "an error of (w dt)^2/24 of the phase, with the largest w of the contact, 1.2 times "
+            "pi/tc; and as much for the steps in which contact begins and ends",
             dt=unit / STEPS[0], order=2, floor=1e-6,
         ),
     })  # fmt: skip
@@ -125,7 +125,7 @@ def _judge(unit: float) -> Exact:
 
 def _balance(unit: float) -> Scalar:
     step = Tolerance(
-        5.0 / STEPS[0] ** 2, "as for the path: energy oscillates by (w dt)^2/4 at most",
+        5.0 / STEPS[0] ** 2, "the bound of the path: energy oscillates by (w dt)^2/4 at most",
         dt=unit / STEPS[0], order=2,
     )  # fmt: skip
     return balance({Method.SECOND_ORDER: step})

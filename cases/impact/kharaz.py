@@ -42,8 +42,8 @@ HOLDS = {
     "linear": 15.0,
     "hertz": 25.0,
     "micro-slip": 15.0,
-}  # degrees from which on a law is held to measurements
-SURE = 3.0  # standard uncertainties that a band is wide
+}  # degrees from which measurements judge a law
+SURE = 3.0  # half the width of a band in standard uncertainties
 READ_KEPT, SCATTER_KEPT = 0.003, 0.005
 READ_ANGLE, SCATTER_ANGLE = 0.3, 0.4
 READ_SPIN, SCATTER_SPIN = 6.0, 0.1  # 1/s: 0.01 of the largest; part of the value
@@ -77,7 +77,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def struck(impacts: Impacts, v: float) -> tuple[Ladder, tuple[Quantity, ...]]:
-    """Impacts at the speed v [m/s] in steps of a normal one, and what is judged exactly of them."""
+    """Impacts at the speed v [m/s], in steps of a normal impact, and their exact quantities."""
     law = impacts.law
     linear = math.pi * math.sqrt(impacts.sphere.mass / law.K)
     unit = linear if law.p == 1.0 else hertz.contact_time(m=impacts.sphere.mass, K=law.K, v=v)
@@ -87,8 +87,8 @@ def struck(impacts: Impacts, v: float) -> tuple[Ladder, tuple[Quantity, ...]]:
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     path = judged(
         1.0 / STEPS[0] ** 2, unit, STEPS[0],
-        "(w dt)^2/24 of the swings along the normal and across it, which is up to twice as quick, "
-        "and as much where contact, stick or slip begins and ends within a step",
+        "an error of (w dt)^2/24 of the oscillations along the normal and across it, which is up "
+        "to twice as fast; and as much where contact, stick or slip begins or ends within a step",
     )  # fmt: skip
     exact = impacts.worst(path), impacts.nearest(path), impacts.lasting(path)
     return Ladder(impacts.scene(), goal, impacts.seen(), levels), exact
@@ -114,7 +114,7 @@ def _rebound(variant: str, impacts: Impacts, angle: float) -> Scalar:
     name = f"{angle:g}"
     seen = Measurement(
         REBOUND[angle], READ_ANGLE, SCATTER_ANGLE, CONDITIONS,
-        f"{CITED}, angle of rebound, as the verification manual of MFiX has it",
+        f"{CITED}, angle of rebound, as given in the verification manual of MFiX",
         OVER, angle,
     )  # fmt: skip
 
@@ -129,11 +129,11 @@ def _rebound(variant: str, impacts: Impacts, angle: float) -> Scalar:
 
 
 def _spin(impacts: Impacts, angle: float) -> Scalar:
-    """The spin [1/s] after an impact at an angle [degrees], which codes are not asked for."""
+    """The spin [1/s] after an impact at an angle [degrees], computed: codes give none."""
     name = f"{angle:g}"
     seen = Measurement(
         SPIN[angle], READ_SPIN, SCATTER_SPIN * SPIN[angle], CONDITIONS,
-        f"{CITED}, spin after the impact, as the verification manual of MFiX has it",
+        f"{CITED}, spin after the impact, as given in the verification manual of MFiX",
         OVER, angle,
     )  # fmt: skip
     arm = 2.5 / impacts.sphere.radius
@@ -153,31 +153,32 @@ def _judge(variant: str, seen: Measurement, angle: float) -> Measured:
 
 
 LOOSE = (
-    "up to 22 % off what angular momentum demands of the restitution measured in the same impacts: "
-    "that is 0.1 of the value as a standard uncertainty, and nothing is held to it"
+    "measured spins differ by up to 22 % from those that angular momentum gives with the "
+    "restitution of the same impacts: a standard uncertainty of 0.1 of the value, by which nothing "
+    "is judged"
 )
 BAND = (
-    "three standard uncertainties: the law has no parameter but friction that matters here, which "
-    "was measured too, and which the sliding of all impacts beyond 25 degrees confirms"
+    "three standard uncertainties: only friction matters here, which was measured too, and which "
+    "the sliding of all impacts beyond 25 degrees confirms"
 )
 NOT_HELD = {
-    "linear": "below 15 degrees spheres stick in part: micro-slip, which this law lacks, takes 9 "
-    "to 10 % at 2 to 4 degrees",
-    "hertz": "below 25 degrees spheres stick, in part: without micro-slip, Mindlin's stiffness "
-    "gives almost all back at 2 degrees, where a fifth was lost",
-    "micro-slip": "below 15 degrees spheres stick at first, or soon: the law returns 0.3 to 6 % "
-    "too little at 2 to 10 degrees, where it is 6 to 22 % too much without micro-slip; how well "
-    "so small tangential speeds were measured is not known",
+    "linear": "below 15 degrees contacts stick in part: micro-slip, which this law lacks, lowers "
+    "the restitution by 9 to 10 % at 2 to 4 degrees",
+    "hertz": "below 25 degrees contacts stick in part: without micro-slip, Mindlin's stiffness "
+    "returns almost all of the tangential velocity at 2 degrees, where a fifth was lost",
+    "micro-slip": "below 15 degrees contacts stick at first, or soon: the law returns 0.3 to 6 % "
+    "too little at 2 to 10 degrees, and without micro-slip 6 to 22 % too much; how well such small "
+    "tangential speeds were measured is not known",
 }
 NOTE = (
     "kn, ks and mu are those of MFiX's case DEM05. The uncertainty of reading is the difference of "
-    "two digitisations of the same points, for the benchmarks of CIMNE and of MFiX, 0.003 of the "
-    "restitution and 0.3 degrees; that of the experiment, which the sources do not state, is "
-    "the scatter of the points of full sliding about 1 - 2 mu/tan(angle), 0.005, which is 0.4 "
-    "degrees of rebound. Restitution along the normal is taken as 1, where 0.98 was measured. Spin "
-    "was measured too, but is up to 22 % off what angular momentum demands of the other figures: "
-    "it is shown. Codes are not asked for spins; angular momentum about the point of contact has "
-    "them to U/R."
+    "two digitisations of the same points, for the benchmarks of CIMNE and of MFiX: 0.003 of the "
+    "restitution and 0.3 degrees. The sources do not state the uncertainty of the experiment: it "
+    "is taken from the scatter of the points of full sliding about 1 - 2 mu/tan(angle), 0.005, "
+    "which is 0.4 degrees of rebound. Restitution along the normal is taken as 1, where 0.98 was "
+    "measured. Spin was measured too and is shown; it differs by up to 22 % from what angular "
+    "momentum gives with the other figures. Codes are not asked for spins: angular momentum about "
+    "the point of contact gives them to U/R."
 )
 CASE = Case(
     name="kharaz",

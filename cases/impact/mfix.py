@@ -41,8 +41,8 @@ class Setting(NamedTuple):
     """The data of a variant.
 
     series: each by name, symbol, unit, meaning, what is observed and the exact answer; unit: 1/w
-    [s] of the stiffest swing; steps: of the ladder, times w; square, late: tolerances over
-    (w dt)^2, and over w dt where viscous forces are half a step late.
+    [s] of the fastest oscillation; steps: of the ladder, times w; square, late: tolerances over (w
+    dt)^2, and over w dt where viscous forces are half a step late.
     """
 
     scene: Scene
@@ -79,7 +79,7 @@ def _dropped(bounces: int, p: Parameters) -> Setting:
     contact = Contact(p["kn"], eta_n=drop.viscous)
     last = drop.pieces(fall, bounces)[-1]
     height = (
-        "height", "h", "m", "by how much the sphere has risen",
+        "height", "h", "m", "upward displacement of the sphere",
         ComponentAlong(Displacement(0), Z),
         lambda t: path(t, fall, bounces, drop) - fall,
     )  # fmt: skip
@@ -104,7 +104,7 @@ def _pressed(p: Parameters) -> Setting:
 
     series = tuple(
         (
-            f"y{i + 1}", f"y{i + 1}", "m", f"by how much the {which} sphere has risen",
+            f"y{i + 1}", f"y{i + 1}", "m", f"upward displacement of the {which} sphere",
             ComponentAlong(Displacement(i), Z),
             lambda t, i=i: moved(t, i),
         )
@@ -118,7 +118,7 @@ def _pressed(p: Parameters) -> Setting:
 
 
 def _slipping(p: Parameters) -> Setting:
-    """A sphere set down sliding, at rest on its normal spring."""
+    """A sphere that starts to slide, in equilibrium on its normal spring."""
     m, sunk = _mass(p), _mass(p) * p["g"] / p["kn"]
     arm = 1.0 - 0.5 * sunk / p["R"]
     slide = slip_to_roll.Sliding(m, p["kn"], p["mu"], p["g"], p["v"], 1.0 + 2.5 * arm**2)
@@ -146,11 +146,11 @@ def _sinking(p: Parameters) -> Setting:
     )
     series = (
         (
-            "height", "h", "m", "by how much the sphere has risen",
+            "height", "h", "m", "upward displacement of the sphere",
             lambda run: run.values[Displacement(0)] @ Z, lambda t: -motion(t, sinking)[0],
         ),
         (
-            "speed", "v", "m/s", "velocity upwards",
+            "speed", "v", "m/s", "upward velocity",
             lambda run: run.values[Velocity(0)] @ Z, lambda t: -motion(t, sinking)[1],
         ),
     )  # fmt: skip
@@ -208,33 +208,34 @@ def _judge(setting: Setting) -> Exact:
                                        "earlier ones"),
         Method.SECOND_ORDER: Tolerance(
             setting.square * step**2,
-            "(w dt)^2/24 of each swing's phase, and (w dt)^2/12 where a contact begins and ends, "
-            "which shifts all that follows", dt=step * unit, order=2,
+            "an error of (w dt)^2/24 of the phase of each oscillation, and of (w dt)^2/12 where a "
+            "contact begins and ends, which shifts all that follows", dt=step * unit, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
             setting.late * step,
-            "a force that acts half a step late, from the start on or where it is viscous: that "
-            "part of the way, and of z, which lowers each bounce by up to 2 pi z times as much",
+            "forces at the start, and viscous forces, act half a step late: an error of that "
+            "fraction of the displacement, and of z, which lowers each bounce by up to 2 pi z "
+            "times as much",
             dt=step * unit, order=1,
         ),
     })  # fmt: skip
 
 
-FALL = "m u'' = m g - max(0, kn u + c u'), c = 2 z sqrt(kn m), while the overlap u is there"
+FALL = "m u'' = m g - max(0, kn u + c u'), c = 2 z sqrt(kn m), while the overlap u lasts"
 NOTE = (
-    "What MFiX prints is in its own tests. DEM01 is the answer of contact that may pull up to the "
-    "end of the overlap, where contact here never pulls; its path to 2e-8 m and its heights of "
-    "DEM02 to 0.21 % are those of the springs given, which are 6.4 % off the heights of rigid "
-    "contact that the manual holds them against. DEM03 is here without losses, since MFiX gives "
-    "each contact a dashpot of its own, and with overlaps of a tenth of MFiX's, whose are a fifth "
-    "of the radius. DEM04 starts at rest on the normal spring, where MFiX sets the sphere down "
-    "without overlap; it slips up to 2/7 v0/(mu g) and rolls at 5/7 v0, but for the swing of the "
-    "shear spring. DEM05, whose measurements are the case kharaz, is here by exact laws at the "
-    "angles that MFiX prints. DEM06 is here in the frame of the gas, which rises at 0.4 m/s in "
-    "MFiX's: what MFiX integrates beside it has all 8 printed digits of the answer, and its "
-    "particle, coupled one way, is within 0.005 % of the "
-    "velocity. Coupled both ways it disturbs a gas of 5 cells across by 0.6 to 5 %, which is no "
-    "answer for one particle in much gas."
+    "The numbers are those of MFiX's own tests. Its contact may pull until the overlap ends, where "
+    "contact here never pulls; with such contact the given springs have MFiX's path of DEM01 to "
+    "2e-8 m and its heights of DEM02 to 0.21 %, which differ by 6.4 % from the heights of rigid "
+    "contact that the manual compares them with. DEM03 is without losses here, since MFiX gives "
+    "each contact a dashpot of its own, and has a tenth of MFiX's overlaps, which are a fifth of "
+    "the radius. DEM04 starts in equilibrium on the normal spring, where MFiX sets the sphere down "
+    "without overlap; the sphere slips until 2/7 v0/(mu g) and then rolls at 5/7 v0, apart from "
+    "the oscillation of the shear spring. DEM05, whose measurements are in the case kharaz, has "
+    "exact laws here and the angles that MFiX prints. DEM06 is solved in the frame of the gas, "
+    "which rises at 0.4 m/s in MFiX's case. The equation that MFiX integrates for comparison has "
+    "all 8 printed digits of the answer, and its particle, coupled one way, is within 0.005 % of "
+    "the velocity. Coupled both ways, the particle disturbs a gas of 5 cells across by 0.6 to 5 %, "
+    "which is no answer for one particle in much gas."
 )
 TENTH = 0.03426520412623277  # damping that leaves a restitution of 0.9 if contact never pulls
 DROPPED = {"R": 0.1, "rho": 2600.0, "h": 0.5, "kn": 5e4}
@@ -254,10 +255,11 @@ CASE = Case(
         Parameter("R", 0.1, "m", "radius"),
         Parameter("rho", 2600.0, "kg/m3", "density, of the lower sphere if there are two"),
         Parameter("rho2", 1e4, "kg/m3", "density of the upper sphere"),
-        Parameter("h", 0.5, "m", "height of the centre at first"),
-        Parameter("h2", 1.485e-3, "m", "that of the upper sphere"),
-        Parameter("H", 1.98e-3, "m", "distance of the walls that press two"),
-        Parameter("kn", 1e4, "N/m", "stiffness along the normal, and across it where it rubs"),
+        Parameter("h", 0.5, "m", "initial height of the centre"),
+        Parameter("h2", 1.485e-3, "m", "initial height of the centre of the upper sphere"),
+        Parameter("H", 1.98e-3, "m", "distance of the walls between which two spheres are pressed"),
+        Parameter("kn", 1e4, "N/m", "normal stiffness, and shear stiffness where there is "
+                  "friction"),
         Parameter("z", 0.0, "", "damping over critical damping"),
         Parameter("mu", 0.2, "", "friction"),
         Parameter("v", 0.1, "m/s", "speed along the wall, or in gas"),
@@ -302,7 +304,7 @@ CASE = Case(
             level=Level.DEFAULT,
         ),
         Variant(
-            "dem06", "DEM06: a sphere sinks in gas, ever more evenly",
+            "dem06", "DEM06: a sphere sinks in gas and approaches its terminal velocity",
             "m v' = (1 - rho_f/rho) m g - 6 pi mu R v (1 + 0.15 Re^0.687), Re = 2 rho_f R v/mu",
             {"R": 5e-5, "rho": 2000.0, "v": 0.4},
             inert=frozenset({"rho2", "h", "h2", "H", "kn", "z", "mu"}),

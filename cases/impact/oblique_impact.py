@@ -23,17 +23,17 @@ from vv.case import (
 from vv.scene import Contact
 
 DEGREES = (5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 85.0)
-SLIPS = (0.5, 2.0, 4.0, 8.0, 16.0)  # of the surfaces at first, over mu times the normal speed
+SLIPS = (0.5, 2.0, 4.0, 8.0, 16.0)  # initial slip of the surfaces over mu times the normal speed
 STEPS = (100, 200, 400, 1600)  # in the duration of a normal impact
 FINE = 6400  # on springs with losses too, at the finest level: dashpots leave larger errors
 LARGE = 5.0  # radii of the larger of two spheres
 LOSSY = 2.0  # times the tolerance without losses
-ROUGH = 0.4  # friction beyond which velocities across the normal change by more in proportion
+ROUGH = 0.4  # friction above which the bounds grow in proportion
 STRIDE, LASTS = 20, 1.1  # coarsest steps between outputs; duration over the longest contact
 
 
 def _impacts(variant: str, p: Parameters) -> Impacts:
-    """What strikes what, and how."""
+    """The impacts of a variant: spheres, contact law and starts."""
     sphere, kind = Sphere(p["R"], mass(p)), variant.partition("-")[0]
     partner = {
         "pair": Sphere(p["R"], mass(p)), "large": Sphere(LARGE * p["R"], LARGE**3 * mass(p)),
@@ -55,7 +55,8 @@ def _impacts(variant: str, p: Parameters) -> Impacts:
 def _contact(variant: str, p: Parameters, sphere: Sphere, partner: Sphere) -> Contact:
     """The law, with the damping that leaves the restitution e along the normal.
 
-    Linear springs yield as much as elastic spheres do without losses, in the same ratio.
+    Linear springs yield as far as elastic spheres do without losses, with the same ratio of
+    stiffnesses.
     """
     elastic = moduli(p, 1 if partner is WALL else 2)
     if not variant.endswith("linear"):
@@ -83,13 +84,14 @@ def _declare(variant: str, p: Parameters) -> Trial:
     steps = (*STEPS, FINE) if law.z and law.p == 1.0 else STEPS
     rungs = tuple(Knobs(dt=unit / n) for n in steps)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
-    grown = max(1.0, p["mu"] / ROUGH)  # friction changes a velocity by mu times that along
+    # friction changes the tangential velocity by mu times the normal one
+    grown = max(1.0, p["mu"] / ROUGH)
     lossy = grown * (LOSSY if law.z else 1.0)
     path = judged(
         4.0 * lossy / STEPS[0] ** 2, unit, STEPS[0],
-        "(w dt)^2/24 of the swings along the normal and across it, which is up to twice as quick, "
-        "and as much where contact, stick or slip begins within a step, of which there are "
-        "several, twice where a viscous force ends it",
+        "an error of (w dt)^2/24 of the oscillations along the normal and across it, which is up "
+        "to twice as fast; and as much for each of several steps in which contact, stick or slip "
+        "begins, twice as much where a viscous force ends it",
         late=grown * (math.pi if law.p == 1.0 else 2.4) * law.z,
     )  # fmt: skip
     quantities = (impacts.worst(path), impacts.nearest(path), impacts.lasting(path))
@@ -117,10 +119,10 @@ ELASTIC: dict[str, tuple[str, dict[str, float]]] = {
     "angle-alumina": ("test 4: aluminium oxide on a wall, 5 to 85 degrees", defaults("alumina")),
     "angle-alloy": ("test 4: aluminium alloy on a wall, 5 to 85 degrees", defaults("alloy")),
     "along-steel": (
-        "test 5: steel on a wall, moving along it too", {**defaults("steel"), **SMALL},
+        "test 5: steel on a wall, with tangential velocity", {**defaults("steel"), **SMALL},
     ),
     "along-polyethylene": (
-        "test 5: polyethylene on a wall, moving along it too",
+        "test 5: polyethylene on a wall, with tangential velocity",
         {**defaults("polyethylene"), **SMALL},
     ),
     "spun-alloy": ("test 6: spinning aluminium alloy on a wall", SPUN),
@@ -134,15 +136,15 @@ LOSSES = {  # restitution in the paper
 QUICK = ("angle-alumina", "spun-alloy", "pair-alloy", "spun-alloy-0.5", "pair-alloy-linear")
 LEVELS = dict.fromkeys(QUICK, Level.QUICK)
 CONVENTIONS = (
-    "Codes differ in where surfaces meet: in the middle of the overlap, so that arms are R - U/2, "
-    "or on the wall, R - U, or there for slip alone. And in what unloading does to a shear spring: "
-    "with increments alone it keeps its force, with a spring of today's stiffness it gives way. "
-    "Friction is limited by the whole normal force, dashpot included, which never pulls: with "
-    "losses contact ends before the overlap does. Across the normal nothing is viscous. The paper "
-    "has a restitution of 0.98 in test 4 and 0.5 in tests 6 to 8, as have the variants named so "
-    "and those on springs; the others have 1, which shows the contact law alone. Test 5 has "
-    "spheres of 10 um. The slips of tests 5 to 8, the size of the larger sphere and all springs "
-    "are chosen."
+    "Codes differ in where surfaces meet: in the middle of the overlap, with arms of R - U/2; on "
+    "the wall, with arms of R - U; or on the wall for slip alone. They also differ in the shear "
+    "spring of a contact that unloads: by increments alone it keeps its force, with the current "
+    "stiffness it loses force. Friction is limited by the whole normal force, dashpot included, "
+    "which never pulls: with losses, contact ends before the overlap does. There is no viscosity "
+    "across the normal. The paper has a restitution of 0.98 in test 4 and 0.5 in tests 6 to 8, as "
+    "have the variants with these numbers and those on springs; the others have 1, which shows the "
+    "contact law alone. Test 5 has spheres of 10 um. The slips of tests 5 to 8, the size of the "
+    "larger sphere and all springs are chosen."
 )
 CASE = Case(
     name="oblique-impact",

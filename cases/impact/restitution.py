@@ -31,7 +31,7 @@ X = np.array([1.0, 0.0, 0.0])
 STEPS = (100, 200, 400, 1600)  # in the duration of an impact without losses
 LOSSY = 6400  # with losses too, at the finest level: dashpots leave larger errors
 SEEN, LASTS = 100, 1.8  # outputs in that duration, and the duration of the run over it
-STARTS = 4  # outputs until a step in which contact began no longer shows in a force
+STARTS = 4  # outputs until the step in which contact began no longer shows in the force
 RESTITUTIONS = (0.2, 0.4, 0.6, 0.8, 1.0)
 QUICK = (0.4, 1.0)
 
@@ -43,7 +43,7 @@ def _elastic(p: Parameters) -> dict[str, float]:
 
 
 def _spring(p: Parameters) -> float:
-    """kn [N/m] of a spring that yields as much as elastic spheres do, without losses."""
+    """kn [N/m] of a spring that yields as far as the elastic sphere does, without losses."""
     return float(mass(p) * (p["v"] / hertz.deepest(**_elastic(p))) ** 2)
 
 
@@ -83,7 +83,7 @@ def _top(rows: Vector) -> float:
 
 
 def _deepest(run: Run) -> float:
-    """The largest overlap [m], between outputs by where and how fast the sphere is."""
+    """The largest overlap [m], interpolated by positions and velocities at outputs."""
     from scipy.interpolate import CubicHermiteSpline
 
     overlap, rate = (-run.values[kind(0)] @ X for kind in (Displacement, Velocity))
@@ -92,14 +92,14 @@ def _deepest(run: Run) -> float:
 
 
 def _force(p: Parameters, run: Run) -> float:
-    """The largest force [N], by how fast the sphere slows down: differences of fourth order."""
+    """The largest force [N], from the deceleration of the sphere by fourth-order differences."""
     speed, each = run.values[Velocity(0)] @ X, run.times[1] - run.times[0]
     near, far = speed[3:-1] - speed[1:-3], speed[4:] - speed[:-4]
     return mass(p) * _top(((8.0 * near - far) / (12.0 * each))[STARTS:])
 
 
 def _cleared(run: Run) -> float:
-    """When the sphere no longer overlaps the wall, back from where it is at the end."""
+    """The time at which the overlap ends, extrapolated back from the end of the run."""
     way, speed = (float((run.values[kind(0)] @ X)[-1]) for kind in (Displacement, Velocity))
     return float(run.times[-1]) - way / speed if speed > 0 and way > 0 else math.nan
 
@@ -150,21 +150,23 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _judge(unit: float, z: float, read: float) -> Exact:
-    """unit: duration of an impact without losses [s]; z: damping; read: off outputs to so much."""
+    """unit: duration of an impact without losses [s]; z: damping; read: error of interpolation."""
     dt = unit / STEPS[0]
     return Exact({
-        Method.EXACT: Tolerance(read, "events located to rounding; what is read between outputs"),
+        Method.EXACT: Tolerance(read, "events are located to rounding; the error of interpolation "
+                                "between outputs remains"),
         Method.SECOND_ORDER: Tolerance(
             10.0 / STEPS[0] ** 2,
-            "(w dt)^2/24 of the phase for w of the stiffest moment, which is 1.2 times pi/tc, and "
-            "the same for what the force lacks in the steps in which contact begins and ends; "
-            "speeds are read from means of two steps; at least what reading between outputs loses",
+            "an error of (w dt)^2/24 of the phase, with the largest w of the contact, 1.2 times "
+            "pi/tc; as much for the steps in which contact begins and ends; speeds are means of "
+            "two steps. The floor is the error of interpolation between outputs",
             dt=dt, order=2, floor=max(read, 1e-6),
         ),
         Method.FIRST_ORDER: Tolerance(
             0.5 * math.pi * max(1.0, 1.2 * math.pi * z**2) / STEPS[0],
-            "a viscous force from half a step before acts as if the mass were less by z w dt, w up "
-            "to 1.2 pi/tc, and so z larger by half of that, of which log e has up to pi times",
+            "a viscous force that is half a step late acts as if the mass were smaller by a "
+            "fraction z w dt, w up to 1.2 pi/tc: that increases z by half of the fraction, and log "
+            "e falls by up to pi times as much",
             dt=dt, order=1,
         ),
     })  # fmt: skip
@@ -172,22 +174,22 @@ def _judge(unit: float, z: float, read: float) -> Exact:
 
 def _balance(unit: float) -> Scalar:
     step = Tolerance(
-        5.0 / STEPS[0] ** 2, "as for the path: energy oscillates by (w dt)^2/4 at most",
+        5.0 / STEPS[0] ** 2, "the bound of the path: energy oscillates by (w dt)^2/4 at most",
         dt=unit / STEPS[0], order=2,
     )  # fmt: skip
     exact = Tolerance(1e-12, "one event; only rounding errors remain")
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
 
 
-BETWEEN = {"deepest": 1e-8, "force": 2e-6}  # errors of reading smooth data between outputs
+BETWEEN = {"deepest": 1e-8, "force": 2e-6}  # errors of interpolation between outputs
 SUDDEN = {"hertz": 0.3, "linear": 0.35}
-"""Restitution up to which a dashpot pushes most at once, or too soon for outputs: on a spring at
-(3 acos z - pi)/(w sqrt(1 - z^2)), which is within the first six outputs from z = 0.45 on."""
+"""Restitutions up to which a dashpot has its largest force at the start, or too early for outputs:
+on a spring at (3 acos z - pi)/(w sqrt(1 - z^2)), within the first six outputs from z = 0.45 on."""
 QUANTITIES = (
     ("restitution", "e", "", "speed after the impact over that before"),
     ("deepest", "U_max", "m", "largest overlap"),
-    ("cleared", "t0", "s", "when the overlap is gone, by where the sphere is at the end"),
-    ("force", "F_max", "N", "largest force, by how fast the sphere slows down"),
+    ("cleared", "t0", "s", "time at which the overlap ends, from the position at the end"),
+    ("force", "F_max", "N", "largest force, from the deceleration of the sphere"),
 )
 FORMULAS = {
     "hertz": "m U'' = -max(0, K U^(3/2) + 2 z sqrt(3/2 m K) U^(1/4) U'), K = 4/3 E sqrt(R); "
@@ -197,10 +199,10 @@ FORMULAS = {
 }
 LAWS = {"hertz": "Hertz and Tsuji", "linear": "a spring and a dashpot"}
 NOTE = (
-    "The force never pulls, so that contact ends before the overlap does, and the damping is that "
-    "which leaves the restitution e by this rule. Codes that let it pull take less damping for the "
-    "same e. The linear spring yields as much as elastic spheres do without losses. Tests 1 and 2 "
-    "by Hertz's law are the case hertz-impact."
+    "The force never pulls, so that contact ends before the overlap does; the damping leaves the "
+    "restitution e with this rule. Codes whose contact may pull need less damping for the same e. "
+    "The linear spring yields as far as the elastic sphere does without losses. Tests 1 and 2 with "
+    "Hertz's law are in the case hertz-impact."
 )
 CASE = Case(
     name="restitution",

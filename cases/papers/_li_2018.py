@@ -25,13 +25,13 @@ WD = (K * K - N * N) ** 0.5
 C1 = T3.v + T3.a * T3.begin
 C3 = -(T4.v + T4.a / (2 * N)) / (2 * N) * exp(2 * N * T4.begin)
 C4 = T4.y1 + T4.a / (2 * N) * T4.begin - C3 * exp(-2 * N * T4.begin)
-ROUNDED = "the last place: it follows from rounded values before it"
+ROUNDED = "only the last digit differs, since it follows from rounded values before it"
 
 
 def _number(
     place: str, what: str, printed: str, unit: str, exact: Callable[[], float], why: str = ""
 ) -> Statement:
-    """A number that is printed right, or with `why` a misprint."""
+    """A number that is printed correctly or, with `why`, a misprint."""
     assessment = Assessment.MISPRINT if why else Assessment.REPRODUCED
     return Statement(place, what, printed, assessment, why, unit, exact)
 
@@ -84,7 +84,7 @@ NUMBERS = (
     _number("Eq. 35", "t_s1, when T3 begins to slip", "0.0224", "s", lambda: T3.begin,
             "it belongs to a y_1 of 0.02196 m, as v_s1 does, and not to that of Eq. 34"),
     _number("Eq. 36", "v_s1, T3's velocity then", "0.9367", "m/s", lambda: T3.v,
-            "cos(k t_s1) at 0.02244 s, by which Eq. 35 was printed"),
+            "it is cos(k t_s1) at 0.02244 s, the value behind Eq. 35"),
     _number("Eq. 37", "a, T3's deceleration in slip", "5.6033", "m/s2", lambda: T3.a),
     _number("Eq. 38", "t_s4, when T3's slip ends", "0.1896", "s", lambda: T3.end),
     _number("Eq. 39", "y_4, where T3's slip ends", "0.1003", "m", lambda: T3.y1 + T3.distance),
@@ -110,8 +110,8 @@ CLAIMS = (
     _said("Eq. 3", "distance of two centres, sqrt((x_a^2 - x_o^2) - (y_a^2 - y_o^2))",
           Assessment.MISPRINT, "it is sqrt((x_a - x_o)^2 + (y_a - y_o)^2)"),
     _said("Eq. 8", "the shear force is capped where it exceeds its largest value",
-          Assessment.MISPRINT, "its size is capped and its sign kept; T1 to T4 cannot see that a "
-          "negative force is not capped, T3 and T4 mirrored do",
+          Assessment.MISPRINT, "its size is to be capped and its sign kept; T1 to T4 do not show "
+          "that a negative force is not capped, T3 and T4 mirrored do",
           (_worst("T3-mirrored"), _worst("T4-mirrored"))),
     _said("Below Eq. 8", "(F_n, F_s) is the force by which a acts on o", Assessment.MISPRINT,
           "along n and t of Eqs. 1, 2 and 6 it is that by which o acts on a: a repulsion that is "
@@ -130,11 +130,12 @@ CLAIMS = (
     _said("Note below Eq. 23", "v_n1 and v_n2 are among the values of Eqs. 18 to 23",
           Assessment.MISPRINT, "v_s1 and v_s2 are, and a, b, c and d besides"),
     Statement("Shear Contact Force", "in its third stage T3 moves as in its first, about b", "",
-              Assessment.REPRODUCED, "it swings by y_1, and so comes back to the limit of friction "
-              "at 0.3867 s without slip: the case `grazing`", "m", lambda: T3.y1, (_worst("T3"),)),
+              Assessment.REPRODUCED, "it oscillates with the amplitude y_1, and so returns to the "
+              "limit of friction at 0.3867 s without slip: see the case "
+              "`grazing`", "m", lambda: T3.y1, (_worst("T3"),)),
     _said("Shear Contact Force", "no movement in the x direction and no rotation",
-          Assessment.REPRODUCED, "the scenes lock both; what presses particle 4 on its wall is its "
-          "overlap alone", (_worst("T3"), _worst("T4"))),
+          Assessment.REPRODUCED, "the scenes lock both; only its overlap presses particle 4 on its "
+          "wall", (_worst("T3"), _worst("T4"))),
     _said("Figs. 3 and 5", "VBOX and PFC2D follow the analytical curves at dt = 1e-3 s",
           Assessment.REPRODUCED, "largest error in % of the largest displacement",
           tuple(map(_worst, ("T1", "T2", "T3", "T4")))),
@@ -147,8 +148,8 @@ CLAIMS = (
           "T2 at 0.219 s; no number is printed"),
     _said("Shear Contact Force", "shear forces are less exact than normal ones, since increments "
           "accumulate error", Assessment.WRONG,
-          "while it sticks T3 follows the same recursion as T1 in contact, to the last bit but "
-          "for its size; what is less exact is the step in which slip begins or ends",
+          "while it sticks, T3 follows the same recursion as T1 in contact, to the last bit apart "
+          "from a factor; the steps in which slip begins or ends are less exact",
           (_worst("T1"), _worst("T3"))),
     _said("Figs. 3 and 5", "VBOX and PFC2D agree completely", Assessment.OPEN,
           "their results are drawn and not printed; both use Eqs. 4 to 12"),
@@ -175,9 +176,10 @@ CLAIMS = (
               Assessment.DIFFERS, "by Eqs. 4 to 12 at 1e-3 s T3's error grows until 0.3 s and T4's "
               "until 0.2 s, then both fall: T4's at the end over its largest", "", _left_of_error),
     _said("Table 1", "density, radius, stiffnesses, friction, viscosity and step",
-          Assessment.REPRODUCED, "taken as they are by all cases of this paper; r is 50 m"),
+          Assessment.REPRODUCED, "all cases of this paper use them as printed; r is 50 m"),
     _said("Introduction", "PFC2D and another code of its kind agree on problems of one and "
           "two particles (Chen and others)", Assessment.OPEN,
-          "of another paper; beside it T1 and T3 in all codes", (_worst("T1"), _worst("T3"))),
+          "this is a statement of another paper; shown are T1 and T3 in all "
+          "codes", (_worst("T1"), _worst("T3"))),
 )  # fmt: skip
 PAPER = Paper("Li et al. (2018)", *LI_2018, NUMBERS + CLAIMS)

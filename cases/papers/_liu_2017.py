@@ -34,7 +34,7 @@ def _number(
     place: str, what: str, printed: str, unit: str, exact: Callable[[], float], why: str = "",
     computed: tuple[Computed, ...] = (), close: float | None = None,
 ) -> Statement:  # fmt: skip
-    """A number that is printed right, or with `why` a misprint."""
+    """A number that is printed correctly or, with `why`, a misprint."""
     assessment = Assessment.MISPRINT if why else Assessment.REPRODUCED
     return Statement(place, what, printed, assessment, why, unit, exact, computed, close)
 
@@ -47,12 +47,12 @@ def _first_pair() -> NDArray[np.int64]:
 
 
 def _first_at_faces() -> float:
-    """How many of the two have fewer than the twelve bonds of an element inside."""
+    """The number of these two elements that have fewer than the twelve bonds of an inner one."""
     return float((np.bincount(BLOCK.bonds.ravel())[_first_pair()] < 12).sum())
 
 
 def _over(state: tetrahedral_unit.State, printed: float) -> float:
-    """How far a strength is off the printed formula, in %."""
+    """The difference of a strength from the printed formula, in %."""
     return 100.0 * (abs(state.stress) / printed - 1.0)
 
 
@@ -77,13 +77,13 @@ def _downward() -> float:
 
 
 def _decay() -> float:
-    """eta/m [1/s] of Eq. 28 in a block of 2166, at which kinetic energy falls."""
+    """The decay rate eta/m [1/s] of kinetic energy by Eq. 28, in a block of 2166."""
     block = lattice(*SIZES[2166], D)
     return float(D / (block.area * block.height) ** (1.0 / 3.0)) * sqrt(8.0 * KN / MASS)
 
 
 def _dropped() -> float:
-    """The part [%] of its elastic energy that a lattice held at its length loses at A1."""
+    """The part [%] of its elastic energy that a lattice of constant length loses at A1."""
     with_base = 9.0 * KN * (KN + KS) / (5.0 * KN + KS)  # Fz/dz by Eq. 2a
     without = 9.0 * KN * KS / (KN + 2.0 * KS)  # by Eq. 9, with Fx = 0
     return 100.0 * (1.0 - without / with_base)
@@ -101,13 +101,13 @@ def _raised() -> float:
 
 
 def _slid(times: float) -> float:
-    """C_u [Pa] of a unit with so many times the shear resistance."""
+    """C_u [Pa] of a unit with `times` the shear resistance."""
     stronger = ELEMENT._replace(fs0=times * FS0)
     return -tetrahedral_unit.sliding_failure(stronger, D).stress
 
 
 def _first_to_open() -> float:
-    """How many of the two elements touch a platen whose bond opens first as a block is pulled."""
+    """The number of the two elements of the first bond to open that touch a platen."""
     return float((BLOCK.at(2, 0) | BLOCK.at(2, 1))[_first_pair()].sum())
 
 
@@ -153,20 +153,21 @@ TABLE = (
 )  # fmt: skip
 EQUATIONS = (
     Statement("Eqs. 1-10, 11b, 13, 14, A1-A3, B1-B4, 27", "as printed", "", REPRODUCED,
-              "derived again from the balance of four elements; beside it the error of E at a "
-              "strain of 1e-3, against the balance at finite strain",
+              "derived again from the equilibrium of four elements; shown is the error of E at a "
+              "strain of 1e-3, against equilibrium at finite strain",
               computed=(Computed("tetrahedral-path", "in", "E(-0.001)", Figure.ERROR),)),
     Statement("App. A", "seven equations for as many unknowns of a unit", "7", REPRODUCED,
               "their solution is Eqs. 2a to 2d", exact=lambda: 3.0 + 2.0 + 2.0),
     Statement("Sec. 3.3", "a pulled unit breaks as its inclined bonds open; their shear force then "
-              "over the largest of Eq. 1", "", REPRODUCED, "they are far from sliding", "",
+              "over the largest of Eq. 1", "", REPRODUCED, "the shear force is far from the limit "
+              "of sliding", "",
               _sheared),
     Statement("Eq. 11a", "sigma_xx = sqrt6 Fx/d^2", "2.449 Fx/d^2", MISPRINT,
               "a section through the lattice, and the virial, give half as much",
               exact=lambda: sqrt(6.0) / 2.0),
     Statement("Eqs. 12 and 15", "P, what a horizontal stress adds to the axial one", "5.828",
-              MISPRINT, "(2 + sqrt2 mu_p)/(1 - sqrt2 mu_p), half of what is, by Eq. 11a; codes "
-              "have the strain at failure, which lowers P by 4 %",
+              MISPRINT, "it is (2 + sqrt2 mu_p)/(1 - sqrt2 mu_p), half of the right value because "
+              "of Eq. 11a; codes fail at a finite strain, which lowers P by 4 %",
               exact=lambda: 2.0 * theory.printed_confinement(MU_P),
               computed=(Computed("confined-strength", "two", "P"),)),
     Statement("Sec. 4.2.3", "'the maximum shear forces F_smax' of Eq. (4)'", "", MISPRINT,
@@ -180,11 +181,11 @@ EQUATIONS = (
 )  # fmt: skip
 UNIT = (
     Statement("Sec. 5.2", "E of a unit at a strain of -1e-6 is quartzite's", "90", REPRODUCED,
-              "codes at -1e-5, where it is 5e-6 less", "GPa",
+              "codes are run to -1e-5, where E is lower by 5e-6", "GPa",
               lambda: 1e-9 * theory.youngs_modulus(KN, KS, D),
               computed=(Computed("tetrahedral-path", "in", "E(-1e-05)", times=1e-9),)),
     Statement("Sec. 5.2", "nu of a unit at a strain of -1e-6 is quartzite's", "0.16", REPRODUCED,
-              "codes at -1e-5", "",
+              "codes are run to -1e-5", "",
               exact=lambda: theory.poissons_ratio(KN, KS),
               computed=(Computed("tetrahedral-path", "in", "nu(-1e-05)"),)),
     Statement("Fig. 4a", "errors of E grow with strain; at -1e-3", "", REPRODUCED,
@@ -196,8 +197,9 @@ UNIT = (
                   tetrahedral_unit.equilibrium(-5e-3, kn=KN, ks=KS, d=D).modulus / 90e9 - 1),
               (_of_path("in", "E(-0.005)-small"),)),
     Statement("Sec. 5.2", "T_u of a unit is 0.011 % lower than Eq. 7", "-0.011", DIFFERS,
-              "a unit pulled slowly is stronger by 0.0057 %, and by 0.029 % at the paper's rate; "
-              "its step of 1.70e-10 m is 0.075 % of the strain at failure, more than it states",
+              "a unit that is pulled slowly is stronger than Eq. 7 by 0.0057 %, and by 0.029 % at "
+              "the paper's rate; the paper's step of 1.70e-10 m is 0.075 % of the strain at "
+              "failure, more than the difference that it states",
               "%", lambda: _over(tetrahedral_unit.tension_failure(ELEMENT, D), 25e6),
               (_strength("pulled", "T_u over Eq. 7"),
                _strength("pulled-share", "T_u at the paper's rate"))),
@@ -218,14 +220,14 @@ UNIT = (
 )  # fmt: skip
 BLOCKS = (
     Statement("Sec. 5.2", "mean error of E of the blocks", "0.6", OPEN,
-              "E depends on the area that stress is taken on, which is not stated; on the hull of "
-              "the centres it is 3.64 % at 82 elements and 0.44 % at 37 681", "%",
+              "E depends on the area of the stress, which is not stated; on the hull of the "
+              "centres the error is 3.64 % at 82 elements and 0.44 % at 37 681", "%",
               lambda: _blocks(0),
               tuple(Computed("close-packed-lattice", str(n), "E-excess", times=100.0)
                     for n in (82, 255, 580, 1105))),
     Statement("Sec. 5.2", "mean error of nu of the blocks", "0.6", REPRODUCED,
-              "mean of the sizes of errors; mean of widths along x and y, which differ by up to "
-              "26 %", "%", lambda: _blocks(1, signed=False), close=0.1,
+              "the mean of the absolute errors, with the mean of nu along x and y, which differ by "
+              "up to 26 %", "%", lambda: _blocks(1, signed=False), close=0.1,
               computed=tuple(Computed("close-packed-lattice", str(n), "nu", Figure.VALUE)
                          for n in (82, 255, 580, 1105))),
     Statement("Sec. 5.2", "T_u of the blocks is lower than Eq. 7 on average", "8.89", REPRODUCED,
@@ -236,46 +238,51 @@ BLOCKS = (
     Statement("Sec. 5.2", "C_u of the blocks is lower than Eq. 14 on average", "18.51", DIFFERS,
               "between rigid smooth platens all inclined bonds slide at once, 3.4 % above Eq. 14 "
               "at 82 elements and 1.5 % below at 37 681; platens that yield give 15 to 21 % below, "
-              "and the paper does not tell of such", "%",
+              "but the paper mentions none", "%",
               computed=(
                   Computed("close-packed-energy", "pressed-82", "C_u over Eq. 14", times=-100.0),)),
     Statement("Sec. 6", "input T_u to be raised, since blocks have 8.89 % less", "9.76",
               REPRODUCED, unit="%", exact=lambda: 100.0 * (1.0 / (1.0 - 0.0889) - 1.0)),
-    Statement("Sec. 6", "with it blocks have the quartzite's T_u; over it, at 82 elements", "",
-              REPRODUCED, "blocks are linear until the first bond opens, so that a mean is met, "
-              "and no size: it is 0.991 at 37 681", "", _raised),
+    Statement("Sec. 6", "blocks then have the quartzite's T_u; their T_u over it, at 82 "
+              "elements", "",
+              REPRODUCED, "blocks are linear until the first bond opens, so that this is right for "
+              "the mean and for no single size: at 37 681 elements the ratio is "
+              "0.991", "", _raised),
     Statement("Sec. 6", "the unit is centrosymmetric, so that along its other three axes E is the "
-              "same", "1", WRONG, "in hexagonal close packing it is not; E over E_z; a box of 1687 "
-              "elements is softer at its faces, which are no layers", "",
+              "same", "1", WRONG, "hexagonal close packing is not centrosymmetric; shown is E over "
+              "E_z. A box of 1687 elements is softer because of its faces, which are not "
+              "layers", "",
               lambda: _share([sqrt(8.0), 0.0, -1.0]),
               (Computed("close-packed-lattice", "vertex", "share"),)),
     Statement("Sec. 6", "E is 'a bit lower' along other directions; E over E_z in the plane of the "
-              "base", "", REPRODUCED, "the least of all directions has 0.829", "",
+              "base", "", REPRODUCED, "the smallest ratio of all directions is 0.829", "",
               lambda: _share([1.0, 0.0, 0.0])),
     Statement("Sec. 6", "other lattices agree with finite elements (Asahina and others), so that "
-              "anisotropy is not significant", "", OPEN, "of other papers; beside it the least E "
-              "of this lattice over E_z", "", _softest),
+              "anisotropy is not significant", "", OPEN, "this is a statement of other papers; "
+              "shown is the smallest E of this lattice over E_z", "", _softest),
     Statement("Sec. 3.2", "Eqs. 4 and 6 also follow from the strain energy of the lattice (Wang "
               "and Mora)", "", REPRODUCED, "E of the infinite lattice along z, by strain energy, "
               "over that of Eq. 6", "", lambda: _share([0.0, 0.0, 1.0])),
     Statement("Sec. 6", "shear forces act at the centres of elements, not at their surfaces", "",
-              REPRODUCED, "so it is built; a unit then resists being turned as a whole, by "
-              "2 Ks d^2 th^2, which no material does; that at 1e-3 rad", "J",
+              REPRODUCED, "the model is built like that; a unit then resists a rotation as a whole "
+              "by the energy 2 Ks d^2 th^2, which no material does; shown at 1e-3 rad", "J",
               lambda: 2.0 * KS * (D * 1e-3) ** 2),
     Statement("Sec. 6", "fracturing tends to occur along the planes of the unit", "", OPEN,
-              "nothing is printed of where the blocks break"),
+              "the paper prints nothing on where the blocks break"),
     Statement("Sec. 5.1", "the models are cubic; height over width of that of 2166", "", REPRODUCED,
               "12 elements along y, 15 layers", "",
               lambda: (14.0 * sqrt(2.0 / 3.0) + 1.0) / 12.0),
     Statement("Sec. 5.1", "bonds are made 100 times as strong, so that none breaks at strains to "
               "-1e-3; the strain at which level bonds of a unit would open", "", REPRODUCED,
-              "C_open over E: a unit would bear it as it is; blocks have bonds that open before",
+              "C_open over E: a unit would bear these strains with its own strength; blocks have "
+              "bonds that open before",
               "", lambda: theory.opening_strength(KN, KS, XB, D)
               / theory.youngs_modulus(KN, KS, D)),
     Statement("Sec. 6", "T_u is a bit lower along other directions; over T_u of Eq. 7 along the "
               "unit's other three axes", "", REPRODUCED, "by the first bond of the infinite "
-              "lattice to open; it is 0.559 to 0.808 in the plane of the base, and 0.540 at least: "
-              "lower everywhere, and more than a bit", "", lambda: lattice_directions.opening(
+              "lattice to open; the ratio is 0.559 to 0.808 in the plane of the base and nowhere "
+              "below 0.540: lower everywhere, and by more than a "
+              "bit", "", lambda: lattice_directions.opening(
                   [0.0, sqrt(8.0), 1.0], kn=KN, ks=KS, xb=XB, d=D) / 25e6),
     Statement("Sec. 3.2", "nu falls as gamma grows; from gamma = 0.5 to 0", "", REPRODUCED,
               exact=lambda: theory.poissons_ratio(1.0, 0.5) - theory.poissons_ratio(1.0, 0.0)),
@@ -283,25 +290,28 @@ BLOCKS = (
               REPRODUCED, "by Eq. 6, with the Ks of quartzite", exact=lambda: (
                   theory.youngs_modulus(2.0 * KN, KS, D) / theory.youngs_modulus(KN, KS, D))),
     Statement("Figs. 4a, b", "errors of E and nu of blocks grow with the strain", "", REPRODUCED,
-              "E at strains to 1e-3 over that at none, less 1; the error of bounds beside it is "
-              "against the balance at finite strain", "%",
+              "E at strains of up to 1e-3 over that at zero strain, minus 1; errors that are "
+              "judged are those against equilibrium at finite strain", "%",
               computed=tuple(Computed("close-packed-path", v, "grown", times=100.0)
                          for v in ("in-82", "out-82"))),
     Statement("Figs. 4c, d", "T_u and C_u of each size", "", OPEN,
-              "they are drawn and not printed; only their means are said"),
+              "they are drawn and not printed; only their means are given"),
     Statement("Sec. 5.2", "bonds of a boundary element P with what lies below it", "1", REPRODUCED,
               "the fewest in the last layer of a block of 82", exact=_downward),
     Statement("Sec. 5.2", "the bond of such an element breaks before all others", "", DIFFERS,
-              "pulled between smooth rigid platens a block parts first at a side; how many of the "
-              "two elements there touch a platen, at 82 elements", exact=_first_to_open),
+              "between smooth rigid platens a block opens first at a side; shown is how many of "
+              "the two elements there touch a platen, at 82 elements", exact=_first_to_open),
     Statement("Sec. 5.1", "a step of 1e-8 s is very small; the largest stable one of the lattice",
-              "", REPRODUCED, "the paper states no limit; beside it a block of 82 over it", "s",
+              "", REPRODUCED, "the paper states no limit; shown is that of a block of 82 over "
+              "it", "s",
               lambda: 2.0 * sqrt(MASS / (8.98102 * KN)),
               (Computed("stable-bonds", "lattice-82", "lattice"),)),
-    Statement("Sec. 5.1", "after each step of the platens 100 time steps damp the waves; part of a "
-              "swing that is left then", "", DIFFERS, "in a block of 2166, by exp(-eta t/2m) with "
-              "Eq. 28 and 1e-8 s: half of it stays; a wave at sqrt(E/rho) goes 5.8 mm in that "
-              "time, half the height of the block", "", lambda: exp(-_decay() * 1e-6 / 2.0)),
+    Statement("Sec. 5.1", "after each step of the platens 100 time steps damp the waves; part of "
+              "an oscillation that is left "
+              "then", "", DIFFERS, "in a block of 2166, by exp(-eta t/2m) with "
+              "Eq. 28 and 1e-8 s: half of the amplitude remains; a wave at sqrt(E/rho) travels 5.8 "
+              "mm in that time, half the height of the "
+              "block", "", lambda: exp(-_decay() * 1e-6 / 2.0)),
     Statement("Sec. 5.1", "kinetic energy falls quickly by Eq. 28; time in which 99 % of it goes",
               "", REPRODUCED, "in a block of 2166; it fails in 1e-4 s", "s",
               lambda: log(100.0) / _decay()),
@@ -309,33 +319,35 @@ BLOCKS = (
               "five steps make the -1e-6 at which E and nu are tested", "",
               lambda: 1.70e-10 / (D * sqrt(2.0 / 3.0))),
     Statement("Sec. 5.1", "strain of a unit in one step of 1.70e-9 m, in tests of C_u", "",
-              REPRODUCED, "over 1e-6 s that is 2.082 1/s, the rate of the cases at the paper's "
+              REPRODUCED, "over 1e-6 s that is 2.082 1/s, which the cases take for the paper's "
               "rate", "", lambda: 1.70e-9 / (D * sqrt(2.0 / 3.0))),
     Statement("Sec. 5.2", "strengths of blocks fall short since units at the boundary are fewer; "
-              "shortfall of T_u at 37 681 elements over that at 82", "", WRONG, "units at the "
-              "boundary become a smaller share as blocks grow, and the shortfall grows: it is that "
-              "of the one bond at a face that opens first; C_u of small blocks is above Eq. 14", "",
+              "shortfall of T_u at 37 681 elements over that at 82", "", WRONG,
+              "the share of units at the boundary falls as blocks grow, but the shortfall grows: "
+              "it is due to the one bond at a face that opens first. C_u of small blocks is even "
+              "above Eq. 14", "",
               lambda: 9.7 / (100.0 * (1.0 - first_opening(BLOCK, static(BLOCK, KN, KS), XB) / 25e6))
               ),
     Statement("Sec. 5.2", "cracks form first around the boundaries; how many of the two elements "
               "of the first bond to open lie at a face", "", REPRODUCED, "as a block of 82 is "
               "pulled; the paper gives no number", exact=_first_at_faces),
     Statement("Sec. 6", "C_u can be raised by F_s0 without changing mu_i; C_u for twice F_s0 over "
-              "that for once", "", REPRODUCED, "by Eqs. 14 and 15; at finite displacement", "",
+              "that for once", "", REPRODUCED, "by Eqs. 14 and 15; computed at finite "
+              "displacement", "",
               lambda: _slid(2.0) / _slid(1.0)),
     Statement("Sec. 1", "heat calculated by others is up to 10 times less than by theory", "", OPEN,
               "it is of other papers, whose models are not given here"),
 )  # fmt: skip
 FAILURE = (
     Statement("Fig. 5", "stress grows in a line to A1, where level bonds open, and falls", "",
-              REPRODUCED, "A1 over C_open of Eq. 8, less 1, in a block of 82; the paper gives no "
+              REPRODUCED, "A1 over C_open of Eq. 8, minus 1, in a block of 82; the paper gives no "
               "number", "%",
               computed=(Computed("close-packed-failure", "82", "A1 over Eq. 8", times=100.0),)),
     Statement("Fig. 5", "some bonds at the boundary fail at A3, before C_open", "", REPRODUCED,
-              "A3 over C_open of Eq. 8, less 1, in a block of 82", "%",
+              "A3 over C_open of Eq. 8, minus 1, in a block of 82", "%",
               computed=(Computed("close-packed-failure", "82", "A3 over Eq. 8", times=100.0),)),
     Statement("Fig. 5", "stress climbs again to A2, where the block fails by sliding", "",
-              REPRODUCED, "A2 over C_u of Eq. 14, less 1, in a block of 82", "%",
+              REPRODUCED, "A2 over C_u of Eq. 14, minus 1, in a block of 82", "%",
               computed=(Computed("close-packed-failure", "82", "A2 over Eq. 14", times=100.0),)),
     Statement("Fig. 5", "stress falls a bit before A2 also", "", DIFFERS,
               "between rigid smooth platens it grows up to the moment at which all inclined bonds "
@@ -349,8 +361,9 @@ FAILURE = (
               computed=tuple(Computed("close-packed-energy", v, "kinetic share", times=100.0)
                          for v in ("pulled-82", "pressed-82"))),
     Statement("Fig. 6c", "breaking heat of normal springs does not change as the block slides", "",
-              REPRODUCED, "all level bonds are open before, and pressed ones hold no tension: open "
-              "bonds at three quarters of the way, over all level ones", "", "1",
+              REPRODUCED, "all level bonds have opened before, and compressed ones hold no "
+              "tension; shown are the bonds that are open after three quarters of the time, over "
+              "all level ones", "", "1",
               (Computed("close-packed-failure", "82-counted", "all opened"),)),
     Statement("Sec. 5.3", "the share of viscous heat is greater when pulled than when pressed", "",
               REPRODUCED, "viscous heat over all heat at the end", "%",
@@ -363,25 +376,26 @@ FAILURE = (
               "frictional heat at the end, in a block of 82", "J",
               computed=(Computed("close-packed-energy", "pressed-82", "Q_f", Figure.FINAL),)),
     Statement("Eqs. 16 to 22 and 24 to 26", "as printed", "", REPRODUCED,
-              "energies are booked by them; the remainder over the work",
+              "the scheme computes its energies by them; shown is the remainder over the work",
               computed=(Computed("close-packed-energy", "pressed-82", "balance"),)),
     Statement("Fig. 5", "stress falls at A3 before A1", "", MISPRINT,
               "Sec. 5.3 has A3 after A2, as the end of the failure"),
     Statement("Fig. 6a", "the elastic energy drops a bit at A1; part of it, once all level bonds "
-              "are open", "", REPRODUCED, "of the lattice held at its length, by Eqs. 2a and 9; A1 "
-              "lies at a seventh of the energy of A2, so that it looks small", "%", _dropped),
+              "are open", "", REPRODUCED, "in a lattice of constant length, by Eqs. 2a and 9; the "
+              "energy at A1 is a seventh of that at A2, so that the drop looks "
+              "small", "%", _dropped),
     Statement("Sec. 5.3", "failure under pressure takes about", "1e-4", OPEN,
               "it depends on the rate of the platen, which is not given beyond 1.70e-9 m in 100 "
-              "steps of 1e-8 s, and on the size; beside it at 82 elements and our rate", "s", "",
+              "steps of 1e-8 s, and on the size; shown for 82 elements at our rate", "s", "",
               (Computed("close-packed-energy", "pressed-82", "failure time"),)),
     Statement("Sec. 5.3", "a part of the energy of the pulled block becomes breaking heat at once; "
               "that of normal and of shear springs", "", REPRODUCED, "at the end, in a block of "
-              "82; it held 1.01e-4 J", "J", "", tuple(
+              "82; it stored 1.01e-4 J", "J", "", tuple(
                   Computed("close-packed-energy", "pulled-82", q, Figure.FINAL)
                   for q in ("Q_bn", "Q_bs"))),
     Statement("Sec. 5.3", "the pulled block breaks at", "1.072e-2", OPEN,
-              "1.70e-10 m in 100 steps of 1e-8 s are 1.7e-4 m/s at one end, so a strain of 1.59e-4 "
-              "then, or 3.19e-4 if both ends move; 2.54e-4 is needed", "s"),
+              "1.70e-10 m in 100 steps of 1e-8 s are 1.7e-4 m/s at one end, which gives a strain "
+              "of 1.59e-4 at that time, or 3.19e-4 if both ends move; failure needs 2.54e-4", "s"),
     Statement("Sec. 5.3", "largest kinetic share as the block breaks in two", "16.2", DIFFERS,
               "a block of 2166 has 13.6 %, and 82 elements have 14.7 %; the rate is not the "
               "reason", "%", "",
@@ -398,20 +412,21 @@ FAILURE = (
               computed=(Computed("close-packed-energy", "pulled-82", "balance"),
                     Computed("close-packed-energy", "pressed-82", "balance"))),
     Statement("Sec. 5.3", "the elastic energy falls almost to zero as the pulled block breaks", "0",
-              REPRODUCED, "at the end, in a block of 82; it held 1.01e-4 J", "J", "",
+              REPRODUCED, "at the end, in a block of 82; it stored 1.01e-4 J", "J", "",
               (Computed("close-packed-energy", "pulled-82", "E_e", Figure.FINAL),)),
     Statement("Fig. 6a", "the elastic energy falls almost to zero as the pressed block fails", "0",
-              REPRODUCED, "at the end, in a block of 82; it held 2.17e-2 J", "J", "",
+              REPRODUCED, "at the end, in a block of 82; it stored 2.17e-2 J", "J", "",
               (Computed("close-packed-energy", "pressed-82", "E_e", Figure.FINAL),)),
     Statement("Sec. 5.3", "kinetic energy becomes viscous heat in the end", "0", REPRODUCED,
-              "what is left of it, in a block of 82; it was 1.47e-5 J", "J", "",
+              "the kinetic energy that is left, in a block of 82; it was 1.47e-5 J", "J", "",
               (Computed("close-packed-energy", "pulled-82", "E_k", Figure.FINAL),)),
     Statement("Fig. 6d", "viscous heat still grows after the block has broken", "", REPRODUCED,
-              "18 % of it comes after 99 % of the breaking heat, in a block of 82; all of it", "J",
+              "18 % of it appears after 99 % of the breaking heat, in a block of 82; shown is all "
+              "of it", "J",
               "", (Computed("close-packed-energy", "pulled-82", "Q_v", Figure.FINAL),)),
     Statement("Fig. 6c", "breaking heat remains constant once all has failed", "", REPRODUCED,
-              "nothing is booked after the last bond that parts; that of shear springs at "
-              "the end, in a block of 82", "J", "",
+              "there is no breaking heat after the last bond breaks; shown is that of shear "
+              "springs at the end, in a block of 82", "J", "",
               (Computed("close-packed-energy", "pressed-82", "Q_bs", Figure.FINAL),)),
     Statement("Sec. 5.3", "no frictional heat as the block is pulled in two", "0", REPRODUCED,
               unit="J", exact=lambda: 0.0,

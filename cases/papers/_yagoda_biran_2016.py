@@ -26,7 +26,7 @@ def _responding(*variants: str, quantity: str = "d2x") -> tuple[Computed, ...]:
 
 
 def _own(quantity: str, *variants: str) -> tuple[Computed, ...]:
-    """In the paper's measure, at its settings, from which finer ones are left out."""
+    """A quantity in the paper's measure, at the paper's own settings and not at finer ones."""
     rungs = {v: Knobs(SETTINGS[v].steps[0], SETTINGS[v].kn) for v in variants}
     return tuple(Computed("published-settings", v, quantity, rung=rungs[v]) for v in variants)
 
@@ -45,7 +45,7 @@ def _said(
 
 
 def _damped_by(part: float) -> float:
-    """The damping ratio [%] of a step of so many per cent of a period."""
+    """The damping ratio [%] of a step that is `part` per cent of a period."""
     return 100.0 * implicit_step.damping_ratio(2.0 * math.pi * part / 100.0)
 
 
@@ -59,16 +59,17 @@ STEP = (
           "definitions, or derived again"),
     _said("Eq. 6", "K^ d = f, with the f of Eq. 1", "", MISPRINT, "Eqs. 5 in Eq. 1 leave "
           "f + (2 M/D + C) d0' on the right: without it blocks would start each step from rest"),
-    _said("Sec. 2", "stress and strain are uniform in a block", "", REPRODUCED, "by Eq. 4; so its "
-          "first swing is too fast: over that of the continuum, clamped at its base", (
+    _said("Sec. 2", "stress and strain are uniform in a block", "", REPRODUCED,
+          "by Eq. 4; therefore its first mode is too fast: shown is its frequency over that of the "
+          "continuum, clamped at its base", (
               Computed("elastic-block", "ringing", "frequency-continuum"),),
           exact=lambda: elastic_block.STIFFER),
     _said("Sec. 2", "a dynamic parameter of 0.98 is a kinetic damping of", "2", REPRODUCED,
-          "the part of the velocity that a step does not hand on; 0.97 is 3 % likewise (Sec. "
-          "5.1.3)", unit="%", exact=lambda: 100.0 * (1.0 - 0.98)),
+          "it is the part of the velocity that a step removes; in the same way 0.97 is 3 % "
+          "(Sec. 5.1.3)", unit="%", exact=lambda: 100.0 * (1.0 - 0.98)),
     _said("Sec. 2", "the penalty method assures that blocks do not penetrate", "", WRONG,
-          "a spring pushes by as much as it is pressed in: the block of Table 2 at rest, on "
-          "springs of 1e9 N/m in all", unit="m",
+          "a spring only acts when it is compressed: shown is the penetration of the block of "
+          "Table 2 at rest, on springs of 1e9 N/m in all", unit="m",
           exact=lambda: 2.0 * 2.0 * 0.1 * 2250.0 * 9.81 / 1e9),
     _said("Eq. 5", "d'' = (2/D^2)(d - t d0')", "", MISPRINT,
           "d'' = (2/D^2)(d - D d0'): the step and not the time"),
@@ -79,12 +80,13 @@ STEP = (
           "within each phase of slip", _error("incline", "newmark-30")),
     _said("Eq. 12", "d2 = mu g", "", MISPRINT, "it is the second derivative of d2"),
     _said("Eq. 17", "the second line takes the direction of d1", "", MISPRINT,
-          "of the acceleration of block 1, where slip begins"),
+          "it is that of the acceleration of block 1, where slip begins"),
 )  # fmt: skip
 SLIDING = (
     _said("Fig. 2", "error of 2D-DDA at phi = 5", "0.05", DIFFERS,
-          f"{OURS}; an uncharged shear spring gains the speed mu g cos(alpha) sqrt(m/ks) at the "
-          "start, 0.2 % at phi = 5 with a spring of 1e8 N/m; that of the paper is not stated",
+          f"{OURS}; on an uncharged shear spring a block gains the speed mu g cos(alpha) "
+          "sqrt(m/ks) at the start, 0.2 % at phi = 5 with a spring of 1e8 N/m; the stiffness of "
+          "the paper's is not stated",
           _error("incline", "gravity-5"), "%"),
     _said("Fig. 2", "error of 2D-DDA at phi = 25", "< 8", REPRODUCED,
           f"{OURS}; it grows with phi where shear springs start uncharged",
@@ -106,7 +108,7 @@ SLIDING = (
     _said("Fig. 14", "part of the outputs with E_N below 3 % under the sine, said to be most", "",
           REPRODUCED, "after 0.2 s, at the paper's settings", _own("share", "sine")),
     _said("Sec. 4.1.3", "yield acceleration of phi = 50 on 45 degrees, which a sine of 2 m/s2 "
-          "exceeds", "", REPRODUCED, "a block that g alone would not move", unit="m/s2",
+          "exceeds", "", REPRODUCED, "gravity alone would not move the block", unit="m/s2",
           exact=lambda: 9.81 * math.tan(math.radians(5.0))),
     _said("Sec. 5.2.2", "step of 3D-DDA on an incline", "0.0001 s", MISPRINT,
           "Table 1 has 0.001 s; 0.0001 s is said of launches and of the sine only"),
@@ -122,7 +124,7 @@ MODES = (
           "trying all modes of contact; psi on it at phi = 20, delta = 10", unit="degrees",
           exact=lambda: first_motion.slip_joins(20.0, 10.0)),
     _said("Sec. 3.1.1", "yield acceleration of phi = 35 on 20 degrees, a_y = g tan(phi - alpha)",
-          "", REPRODUCED, "down the slope; up it the block slips below -g tan(phi + alpha), which "
+          "", REPRODUCED, "down the slope; uphill the block slips below -g tan(phi + alpha), which "
           "the paper leaves out", unit="m/s2", exact=lambda: 9.81 * math.tan(math.radians(15.0))),
     _said("Sec. 3.1.1", "sliding begins at theta = asin(a_y/A)/w", "", REPRODUCED,
           "at A = 5 m/s2 and 1 Hz, which are chosen", unit="s", exact=lambda: math.asin(
@@ -130,28 +132,29 @@ MODES = (
     _said("Fig. 2", "the error grows with the friction angle", "", REPRODUCED, OURS,
           _error("incline", "gravity-5", "gravity-15", "gravity-25"), "%"),
     _said("Sec. 3.2", "with a level force the mode depends on psi = alpha + beta", "", REPRODUCED,
-          "points of charts on a slope of 10 degrees, of 22", _agreeing("2d-20", "2d-60")),
+          "number of the 22 points of a chart that agree, on a slope of 10 "
+          "degrees", _agreeing("2d-20", "2d-60")),
     _said("Sec. 3.2.2", "points of the chart where 2D-DDA agrees, of 110", "106", OPEN,
-          "the points are not given; beside it how many of 22 each, half a degree from the borders "
-          "and all over", _agreeing("2d-10", "2d-20", "2d-30", "2d-40", "2d-60")),
+          "the points are not given; shown is how many of 22 agree, half a degree from the borders "
+          "and all over the chart", _agreeing("2d-10", "2d-20", "2d-30", "2d-40", "2d-60")),
     _said("Sec. 4.3.1", "points where 3D-DDA agrees under gravity, of 51", "49", OPEN,
-          "the points are not given; beside it how many of 17 each",
+          "the points are not given; shown is how many of 17 agree in each variant",
           _agreeing("gravity-14", "gravity-32", "gravity-50")),
     _said("Sec. 4.3.2", "points where 3D-DDA agrees under a pseudo-static force, of 89", "89", OPEN,
-          "the points are not given; beside it how many of 22 each",
+          "the points are not given; shown is how many of 22 agree in each variant",
           _agreeing("3d-6", "3d-20", "3d-40", "3d-50")),
 )  # fmt: skip
 ROCKING = (
     _said("Sec. 3.3", "impacts of DDA's block are restrained by the damping of its step", "",
-          REPRODUCED, "where w dt of its contacts is about 1, as at 1e10 N/m and 2.5e-4 s: "
-          "restitution of the first impact, Housner's beside it; at other steps and stiffnesses "
-          "it is another, up to bouncing", (
+          REPRODUCED, "where w dt of the contacts is about 1, as at 1e10 N/m and 2.5e-4 s: shown "
+          "is the restitution of the first impact, and Housner's; at other steps and stiffnesses "
+          "it differs, and blocks may bounce", (
               Computed("rocking-restitution", "aspect-3", "restitution"),),
           exact=lambda: rocking.restitution(0.2, 0.6)),
     *(
         _said("Sec. 3.3", f"a pulse that {does} the block, as its equation for small angles has "
               f"it at g = {g:g} m/s2", printed, WRONG, f"it is {least} the threshold of that "
-              "equation; beside it is the largest amplitude that the block itself survives",
+              "equation; shown is the largest amplitude that does not overturn the block itself",
               (Computed("rocking", "search", "threshold"),), "m/s2", functools.partial(
                   rocking.linear_threshold, b=0.2, h=0.6, g=g, w=PULSE))
         for does, printed, g, least in (("does not topple", "5.43", 9.80, "below"),
@@ -161,8 +164,8 @@ ROCKING = (
           "3.6 % above the paper's bracket", (Computed("rocking", "search", "threshold"),), "m/s2",
           functools.partial(rocking.threshold, b=0.2, h=0.6, g=9.81, w=PULSE)),
     _said("Sec. 3.3", "a penalty was found with which 2D-DDA topples from the same pulse on", "",
-          REPRODUCED, "at 1e7 N/m the paper's formulation topples from 5.42 m/s2 on, by soft "
-          "contacts which make up for the small angles", (
+          REPRODUCED, "at 1e7 N/m the paper's formulation topples from 5.42 m/s2 on: soft contacts "
+          "compensate the error of small angles", (
               Computed("rocking", "search-soft", "threshold"),), "m/s2"),
     _said("Sec. 3.3", "the acceleration is a_p sin(w t + psi) from t = 0 to 0.5 s", "", WRONG,
           "w = 2 pi 1/s; a half sine that starts at the phase psi ends at (pi - psi)/w, before "
@@ -170,7 +173,7 @@ ROCKING = (
     *(
         _said("Sec. 3.3", f"error of 2D-DDA after {after:g} s, until the first impact",
               f"< {limit:g}", OPEN, "the amplitudes of Fig. 6 and the penalty that was fitted are "
-              "not given; beside it E_N at a thousandth below and beyond the threshold, 1e10 N/m",
+              "not given; shown is E_N at a thousandth below and above the threshold, at 1e10 N/m",
               tuple(Computed("rocking", v, f"E_N after {after:g} s")
                     for v in ("stands", "topples")),
               "%")
@@ -187,12 +190,12 @@ RESPONDING = (
     _said("Sec. 4.5.1", "'similarly to Eq. (14)' the acceleration of block 2 is mu g", "", MISPRINT,
           "it is similar to Eq. 12"),
     _said("Sec. 4.5.1", "dimensions and properties of the blocks do not enter the solution", "",
-          REPRODUCED, "its mass cancels while block 2 does not tip"),
+          REPRODUCED, "the mass of block 2 cancels as long as it does not tip"),
     _said("Sec. 4.5.2", "block 2 is so flat that it does not turn; friction from which it tips", "",
           REPRODUCED, "its half length over its half height", exact=lambda: 2.0 / 0.1),
     _said("Sec. 4.5.2", "two seconds without motion, in which weight settles the springs", "",
-          REPRODUCED, "the replica of the published scheme does so; where weight itself moves the "
-          f"block, as on the wedge, that starts it too early; there, {OURS}",
+          REPRODUCED, "our replica of the published scheme does so. Where the weight itself moves "
+          f"a block, as it does the wedge, this starts the motion too early; of the wedge, {OURS}",
           _error("shaken-wedge", "along", quantity="s"), "%"),
     _said("Sec. 5.1.1", "the stiffness of contacts affects results; E_N at 1e7 and 1e9 N/m", "",
           REPRODUCED, AS_IS, _own("E_N", "3d-1e7", "3d-1e9"), "%"),
@@ -219,25 +222,27 @@ RESPONDING = (
     _said("Fig. 23", "E_N in three directions at 1e8 and 1e9 N/m, well", "< 10", REPRODUCED,
           f"{AS_IS}, of the resultant", _own("E_N", "3d-1e8", "3d-1e9"), "%"),
     _said("Fig. 23", "the best stiffness of contacts", "1e7", DIFFERS,
-          "the paper's formulation errs less the stiffer the contacts, from 1e7 to 1e9 N/m; in the "
-          "paper it errs least at 1e7", _own("E_N", "3d-1e7", "3d-1e8", "3d-1e9"), "N/m"),
+          "errors of the paper's formulation fall with the stiffness of contacts from 1e7 to 1e9 "
+          "N/m; in the paper they are smallest at 1e7 "
+          "N/m", _own("E_N", "3d-1e7", "3d-1e8", "3d-1e9"), "N/m"),
     _said("Sec. 4.5.5", "1e7 N/m over E L", "0.0003", OPEN, "E of Table 2 is not legible in the "
           "print that we have; with L = 2 m it would be 14 to 20 GPa"),
-    _said("Sec. 4.5.5", "1e7 N/m over E A", "0.0001", REPRODUCED, "of 0.0003 E L by the sides of "
-          "2 m that Sec. 4.5.2 gives, whatever E is; 'not much different' is half",
+    _said("Sec. 4.5.5", "1e7 N/m over E A", "0.0001", REPRODUCED, "it follows from 0.0003 E L and "
+          "the sides of 2 m of Sec. 4.5.2, for any E; 'not much different' is half",
           exact=lambda: 0.0003 * 2.0 / (2.0 * 2.0), close=5.001e-5),
     _said("Sec. 5.1.1", "the best stiffness is 2 to 4 orders of magnitude below E L", "", WRONG,
           "Sec. 4.5.5 has 0.0003 E L for 1e7 N/m: 1e9 to 1e7 N/m are 1.5 to 3.5 orders below"),
     _said("Sec. 4.5.1", "a script of steps of 1e-4 s gives the analytical solution", "", WRONG,
-          "such steps without located events are off by up to 3e-3, and by 8 % of y in three "
+          "without located events such steps have errors of up to 3e-3, and of 8 % of y in three "
           "directions"),
 )  # fmt: skip
 WEDGE = (
     _said("Sec. 3.4", "the error depends on friction more than on the amplitude", "", OPEN,
-          f"which errors are meant is not said; {OURS}", _responding("1d-mu-0.1", "1d-mu-1")
+          "the paper does not say which errors are "
+          f"meant; {OURS}", _responding("1d-mu-0.1", "1d-mu-1")
           + _responding("1d-0.3m", "1d-1m"), "%"),
     _said("Fig. 18", "the error grows with the frequency", "", DIFFERS,
-          "at the paper's settings its formulation errs least at 5 Hz",
+          "at the paper's settings the error of its formulation is smallest at 5 Hz",
           _own("E_N", "2hz", "3hz", "5hz"), "%"),
     _said("Fig. 21", "the deviation grows with time; at the end", "", OPEN,
           "the friction coefficient is not given; with 0.6", _own("E_N at the end", "2d"), "%"),
@@ -251,45 +256,49 @@ WEDGE = (
           "the angle between the sides, amplitude and frequency are not given; with chosen ones, "
           f"{OURS}", _error("shaken-wedge", "along", "level", quantity="s"), "%"),
     _said("Sec. 4.4", "the sine acts along the line of intersection", "", MISPRINT,
-          "Fig. 16 has it level"),
+          "it is horizontal in Fig. 16"),
     _said("Sec. 4.4", "there is no analytical solution of a wedge that slides under a sine", "",
           WRONG, "a symmetric wedge slides like a block whose friction is 1/sin(xi/2) times as "
           "large, phase by phase", _error("shaken-wedge", "along", quantity="s")),
 )  # fmt: skip
 DAMPING = (
     _said("Sec. 5.1.3", "numerical damping grows with the step; its ratio over w dt/4", "",
-          REPRODUCED, "by the decrement of a block that swings, over the closed form of the step",
+          REPRODUCED, "from the decrement of a block that oscillates, over the closed form of the "
+          "step",
           (Computed("elastic-block", "ringing", "damping"),), exact="1"),
     _said("Sec. 5.1.3", "the scheme's damping makes it of first order", "", REPRODUCED,
-          "damping ratio of a swing at w dt = 0.005", (
+          "damping ratio of an oscillation at w dt = 0.005", (
               Computed("elastic-block", "ringing", "damping ratio"),),
           exact=functools.partial(implicit_step.damping_ratio, 0.005)),
     _said("Sec. 5.1.2", "for stability the step must be below h/c, by Courant, Friedrichs and Lewy",
-          "", WRONG, "the step is implicit: its spectral radius is below 1 at any step; beside it "
-          "its error at steps of 4.1 to 1e4 rad", (
+          "", WRONG, "the step is implicit: its spectral radius is below 1 at any step; shown is "
+          "the error of the radius at w dt from 4.1 to 1e4", (
               Computed("implicit-swing", "real", "radius", Figure.ERROR),), exact="any"),
-    _said("Sec. 5.2.2", "without kinetic damping the step has no effect on the way", "", REPRODUCED,
+    _said("Sec. 5.2.2", "without kinetic damping the step has no effect on the "
+          "displacement", "", REPRODUCED,
           "1 m/s2 for 1 s, at any step", unit="m",
           exact=functools.partial(implicit_step.damped_drive, 1.0, 1e-3, 1000, 1.0)),
     _said("Sec. 5.2.2", "3 % damping and 1e-5 s make displacements several orders too small", "",
-          REPRODUCED, "right over damped, after 1 s under a constant force",
+          REPRODUCED, "the right displacement over the damped one, after 1 s under a constant "
+          "force",
           exact=lambda: 0.5 / implicit_step.damped_drive(1.0, 1e-5, 100000, 0.97)),
     _said("Sec. 5.2.2", "with 1 % kinetic damping displacements are still highly restrained; part "
-          "of the right way", "", REPRODUCED, "1 m/s2 for 1 s, at 1e-5 s", unit="%",
+          "of the right displacement", "", REPRODUCED, "1 m/s2 for 1 s, at 1e-5 s", unit="%",
           exact=lambda: 200.0 * implicit_step.damped_drive(1.0, 1e-5, 100000, 0.99)),
     _said("Sec. 5.2.2", "displacements fall as steps grow, by the damping of the step", "", WRONG,
-          "those of swings only: a constant force moves a mass by the right way at any step; "
-          "1 m/s2 for 1 s, at 0.1 s", unit="m",
+          "only those of oscillations do: under a constant force the displacement of a mass is "
+          "right at any step; shown for 1 m/s2 over 1 s, at 0.1 s", unit="m",
           exact=lambda: implicit_step.damped_drive(1.0, 0.1, 10, 1.0)),
     _said("Sec. 5.1.2", "steps that are too short may cause false oscillations at the front of a "
-          "wave", "", OPEN, "of models of others, which are not given"),
+          "wave", "", OPEN, "this concerns models of others, which are not given"),
     _said("Sec. 3.5", "the blocks of DDA are not damped", "", WRONG,
           "its step damps them, as Sec. 5.1.3 says; the ratio over w dt/4",
           (Computed("elastic-block", "ringing", "damping"),), exact="1"),
     _said("Sec. 5.1.3", "2 % kinetic damping was needed for a stable solution of slopes", "", OPEN,
           "the model is not given"),
     _said("Sec. 5.2.2", "3D-DDA took steps 10 and 100 times shorter than 2D-DDA", "", OPEN,
-          "of models of others; our formulations need the same step in two and three directions"),
+          "this concerns models of others; our formulations need the same step in two and three "
+          "directions"),
     _said("Sec. 5.2.2", "steps on an incline: 2D-DDA's of 0.002 s over 3D-DDA's of 0.0001 s", "",
           REPRODUCED, "twice, if Table 1's 0.001 s is taken for the latter",
           exact=lambda: 0.002 / 0.0001),
@@ -300,25 +309,28 @@ DAMPING = (
           "DDA's joints bear no tension, and neither geometry nor joints are given"),
     *(
         _said("Sec. 5.1.2", f"a step of {part:g} % of the period is said to do", "", OPEN,
-              "a rule for other schemes; the damping ratio that DDA's step has there", unit="%",
+              "this is a rule for other schemes; shown is the damping ratio of DDA's step "
+              "there", unit="%",
               exact=functools.partial(_damped_by, part))
         for part in (1.0, 5.0)
     ),
     _said("Sec. 5.1.2", "largest step over the period that avoids a bifurcation", "2/pi",
-          REPRODUCED, "from w dt = 4 on the roots are real; beside it the error of the larger "
-          "root, which goes back to 1, so that stiff contacts ring undamped", exact="w dt = 4",
+          REPRODUCED, "from w dt = 4 on the roots are real; shown is the error of the larger one, "
+          "which approaches 1 again, so that stiff contacts oscillate undamped", exact="w dt = 4",
           computed=tuple(Computed("implicit-swing", v, "radius", Figure.ERROR)
                      for v in ("near-four", "real"))),
     *(
-        _said("Fig. 25", f"way of a mass under constant force with 3 % damping, dt = {dt:g} s", "",
+        _said("Fig. 25", "displacement of a mass under constant force with 3 % damping, dt "
+              f"= {dt:g} s", "",
               REPRODUCED, "1 m/s2 for 1 s, where 0.5 m is right; the force is not given",
               unit="m", exact=functools.partial(
                   implicit_step.damped_drive, 1.0, dt, round(1.0 / dt), 0.97),
               computed=(Computed("kinetic-damping", "3-per-cent", "d", rung=Knobs(dt)),))
         for dt in (1e-2, 1e-3, 1e-4, 1e-5)
     ),
-    _said("Sec. 5.2.2", "way with 1 % kinetic damping over that with 3 %, said to be not "
-          "significantly different", "", WRONG, "three times, at 1e-5 s over 1 s", exact=lambda: (
+    _said("Sec. 5.2.2", "displacement with 1 % kinetic damping over that with 3 %, said to be not "
+          "significantly different", "", WRONG, "it is three times as large, at 1e-5 s over 1 "
+          "s", exact=lambda: (
               implicit_step.damped_drive(1.0, 1e-5, 100000, 0.99)
               / implicit_step.damped_drive(1.0, 1e-5, 100000, 0.97)),
           computed=(Computed("kinetic-damping", "1-per-cent", "d", rung=Knobs(1e-5)),
@@ -331,12 +343,13 @@ WAVES = (
     _said("Sec. 3.5", "the amplitude at M1 is that of the incident wave", "", OPEN,
           "where M1 lies is drawn, not given; at a free surface it is twice the incident one"),
     _said("Fig. 10", "spectral ratios of 15 layers agree with SHAKE", "", OPEN,
-          "layers and record are not given; beside it ratios of 15 equal layers over SHAKE's with "
+          "layers and record are not given; shown are ratios of 15 equal layers over SHAKE's with "
           "2.3 % damping, at 1.5, 2.5 and 7.5 Hz", tuple(
               Computed("site-response", v, "over SHAKE's") for v in ("1.5hz", "2.5hz", "7.5hz"))),
     _said("Sec. 3.5", "they agree for layers that are not alike, too", "", OPEN,
-          "neither layers nor record are given; a code over the answer of its own step, for 15 "
-          "layers, each softer than the one below", (Computed("site-response", "unlike", "ratio"),),
+          "neither layers nor record are given; shown is the ratio of a code over the exact answer "
+          "of its own step, for 15 layers, each softer than the one "
+          "below", (Computed("site-response", "unlike", "ratio"),),
           exact="1"),
     _said("Sec. 5.1.3", "amplification and resonance agree extremely well with SHAKE's at 2.3 % "
           "damping", "", OPEN, "the model is not given; codes agree with the answer of their own "
@@ -346,16 +359,16 @@ MASONRY = (
     _said("Sec. 5.2.2", "blocks of the house at L'Aquila", "197", OPEN,
           "its geometry is drawn, not given"),
     _said("Sec. 5.2.2", "kinetic damping without which 3D-DDA did not converge", "3", OPEN,
-          "of the house, whose geometry is not given; open-close iterations of the published "
-          "formulation leave most steps of such a house unconverged", unit="%"),
+          "this concerns the house, whose geometry is not given; open-close iterations of the "
+          "published formulation leave most steps of such a house unconverged", unit="%"),
     _said("Sec. 5.2.2", "step above which 3D-DDA did not converge", "0.00001", OPEN,
-          "of the house, whose geometry is not given", unit="s"),
+          "this concerns the house, whose geometry is not given", unit="s"),
     _said("Sec. 5.2.1", "triangles that make a box", "12", REPRODUCED, exact=lambda: 2.0 * 6.0),
     _said("Sec. 6", "the size of blocks matters first of all for waves", "", REPRODUCED,
           f"with 5 and 20 layers, {OURS}", _error("shear-wave", "5", "20", quantity="top")),
     _said("Sec. 6", "DDA is proven to solve problems of rotation by rocking accurately", "", WRONG,
-          "it was compared with the small-angle equation, 3.6 % off the block's own threshold, by "
-          "a penalty that was fitted to it"),
+          "it was compared with the small-angle equation, whose threshold is 3.6 % below the "
+          "block's own, with a penalty that was fitted to it"),
 )  # fmt: skip
 PAPER = Paper(
     "Yagoda-Biran and Hatzor (2016)",
