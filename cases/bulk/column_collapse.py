@@ -1,4 +1,4 @@
-"""A column of grains falls apart on a rough floor: how far it runs out, measured, and its laws."""
+"""A column of grains collapses on a rough floor: its run-out, measured, and exact laws."""
 
 from __future__ import annotations
 
@@ -25,17 +25,18 @@ from vv.case import (
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
-D = 0.01  # diameter of the largest grain, and of those of the floor [m]
+D = 0.01  # diameter of the largest grain, and of the grains of the floor [m]
 SEEDS = (1, 2, 3)
-TALL, APART, FLOOR = 0.98, 1.02, 3.0  # height over radius; grains of the floor; its radius
+# height over radius of the column; pitch [D] and radius of the floor
+TALL, APART, FLOOR = 0.98, 1.02, 3.0
 SIZES = (0.85, 1.0)  # diameters over D
 STIFF, SHEAR, DAMPED, DENSE = 2e4, 2.0 / 7.0, 0.3, 2500.0
-LASTS, ROWS = 4.5, 9  # of sqrt(height over gravity): three are measured; times of output
+LASTS, ROWS = 4.5, 9  # of sqrt(height over gravity), three of which are measured; number of outputs
 UNIT, RAYS = 0.25, 360
 
 
 def _layer(radius: float, pitch: float, aside: bool) -> Vector:
-    """Points of a triangular lattice within a circle (n, 2), between those of another if aside."""
+    """Points of a triangular lattice in a circle (n, 2), between those of another if `aside`."""
     reach = int(1.3 * radius / pitch) + 3
     i, j = (axis.ravel() for axis in np.meshgrid(*[np.arange(-reach, reach + 1)] * 2))
     x = (i + 0.5 * (j % 2) + 0.5 * aside) * pitch
@@ -45,7 +46,7 @@ def _layer(radius: float, pitch: float, aside: bool) -> Vector:
 
 
 def _grains(seed: int, across: float) -> tuple[Vector, Vector, int]:
-    """Centres (n, 3) [m] and radii [m] of grains, and of the floor after them; how many fall."""
+    """Centres (n, 3) [m] and radii [m] of falling grains, then of the floor; number that falls."""
     wide, layers, rise = across * D, column.layers(TALL * across), column.RISE * D
     sites = [_layer(wide, D, bool(k % 2)) for k in range(layers)]
     falling = [np.column_stack([xy, np.full(len(xy), D + k * rise)]) for k, xy in enumerate(sites)]
@@ -53,7 +54,7 @@ def _grains(seed: int, across: float) -> tuple[Vector, Vector, int]:
     random = np.random.default_rng(seed)
     size = random.uniform(*SIZES, len(x))
     aside = random.uniform(-1, 1, (len(x), 3)) / math.sqrt(3.0)
-    x = x + 0.5 * D * (1 - size)[:, None] * aside  # within its place, so that none overlap
+    x = x + 0.5 * D * (1 - size)[:, None] * aside  # each within its site, so that none overlap
     held = _layer(FLOOR * wide, APART * D, False)
     held = np.column_stack([held, np.zeros(len(held))])
     return (
@@ -64,7 +65,7 @@ def _grains(seed: int, across: float) -> tuple[Vector, Vector, int]:
 
 
 def _scene(variant: str, p: Parameters) -> tuple[Scene, int]:
-    """Grains that fall, the grains of the floor, which are held, and a plane below these."""
+    """Grains that fall, the fixed grains of the floor, and a plane below these."""
     x, radius, count = _grains(int(variant.removeprefix("seed-")), p["wide"])
     mass = DENSE * 4.0 / 3.0 * math.pi * radius**3
     moves = np.repeat([True, False], [count, len(x) - count])[:, None] * np.ones(3, bool)
@@ -77,13 +78,13 @@ def _scene(variant: str, p: Parameters) -> tuple[Scene, int]:
 
 
 def _places(scene: Scene, count: int, run: Run) -> Vector:
-    """Where the grains that fall are (k, n, 3) [m]."""
+    """The positions of the falling grains (k, n, 3) [m]."""
     moved = np.stack([run.values[Displacement(i)] for i in range(count)], axis=1)
     return scene.spheres.position[:count] + moved
 
 
 def _covered(x: Vector, radius: float) -> float:
-    """Which part of a circle about the axis has a grain of `x` (n, 3) above or below it."""
+    """The part of a circle about the axis that grains `x` (n, 3) cover, seen from above."""
     turn = np.linspace(0.0, 2.0 * math.pi, RAYS, endpoint=False)
     near = np.abs(np.hypot(x[:, 0], x[:, 1]) - radius) < 0.5 * D
     points = radius * np.column_stack([np.cos(turn), np.sin(turn)])
@@ -92,32 +93,32 @@ def _covered(x: Vector, radius: float) -> float:
 
 
 def _edge(x: Vector) -> float:
-    """The radius [m] of the largest circle of which grains cover a half: strays lie beyond."""
+    """The radius [m] of the largest circle that grains half cover; stray grains lie beyond it."""
     radii = 0.125 * D * np.arange(4, 8 * 40)
     return float(max(r for r in radii if _covered(x, r) > 0.5))
 
 
-def _whole(value: float) -> float:
-    """The nearest multiple of UNIT: what is smaller is chance."""
+def _rounded(value: float) -> float:
+    """The nearest multiple of UNIT: smaller differences are chance."""
     return round(value / UNIT) * UNIT
 
 
 def _run_out(scene: Scene, count: int, start: float, run: Run) -> float:
-    """What the radius has grown by over that of the start, as far as it is no chance."""
+    """The growth of the radius over its initial value, rounded since the rest is chance."""
     grown = _edge(_places(scene, count, run)[-1]) / start - 1.0
-    return _whole(grown)
+    return _rounded(grown)
 
 
 def _top(scene: Scene, count: int, start: float, run: Run) -> float:
-    """Height of the highest grain near the axis over the radius of the column, told likewise."""
+    """The height of the highest grain near the axis over the initial radius, rounded likewise."""
     x = _places(scene, count, run)[-1]
     inner = np.hypot(x[:, 0], x[:, 1]) < 1.5 * D
     top = (x[:, 2] + scene.spheres.radius[:count])[inner].max(initial=0.0) - column.GROUND * D
-    return _whole(float(top) / start)
+    return _rounded(float(top) / start)
 
 
-def _gained(scene: Scene, count: int, p: Parameters, run: Run) -> float:
-    """Most energy of motion along ways and of height, beyond that at the start [J]; 0 if less."""
+def _energy_gain(scene: Scene, count: int, p: Parameters, run: Run) -> float:
+    """Largest excess of kinetic and potential energy over that at the start [J]; 0 if none."""
     speed = np.stack([run.values[Velocity(i)] for i in range(count)], axis=1)
     mass = scene.spheres.mass[:count]
     fallen = (_places(scene, count, run) - scene.spheres.position[:count])[:, :, 2]
@@ -125,16 +126,16 @@ def _gained(scene: Scene, count: int, p: Parameters, run: Run) -> float:
     return max(float(energy.max()), 0.0)
 
 
-def _hurried(scene: Scene, count: int, p: Parameters, run: Run) -> float:
-    """By how much the centre of mass is below where a free fall has it [m]; 0 if nowhere."""
+def _faster_than_fall(scene: Scene, count: int, p: Parameters, run: Run) -> float:
+    """The largest distance of the centre of mass below its free fall [m]; 0 if never below."""
     mass = scene.spheres.mass[:count]
     fallen = (_places(scene, count, run) - scene.spheres.position[:count])[:, :, 2]
     centre = fallen @ mass / mass.sum()
     return max(float((-0.5 * p["g"] * run.times**2 - centre).max()), 0.0)
 
 
-def _through(scene: Scene, count: int, run: Run) -> float:
-    """How many grains are below the centres of the floor at the end, or no number any more."""
+def _fallen_through(scene: Scene, count: int, run: Run) -> float:
+    """The number of grains below the centres of the floor at the end; nan positions count too."""
     z = _places(scene, count, run)[-1][:, 2]
     within = np.hypot(*scene.spheres.position[count:, :2].T).max()
     x = _places(scene, count, run)[-1]
@@ -157,32 +158,34 @@ def _declare(variant: str, p: Parameters) -> Trial:
     ladder = Ladder(scene, goal, seen, dict.fromkeys(Level, (Knobs(dt=dt),)))
     return Trial(ladder, (
         Scalar(
-            "run-out", "(r - r0)/r0", "", "growth of the radius that grains half cover, over it",
+            "run-out", "(r - r0)/r0", "", "growth of the radius that grains half cover, over its "
+            "initial value",
             partial(_run_out, scene, count, start), None, 1.0, _judge(a, start / D),
         ),
         Scalar(
-            "height", "h/r0", "", "height at the axis over the radius at first",
+            "height", "h/r0", "", "height at the axis over the initial radius",
             partial(_top, scene, count, start), None, 1.0,
             Measured(_height(a), None, ONE_GRAIN, law=True),
         ),
         Scalar(
-            "gain", "max(E - E0)", "J", "energy of motion and height beyond that at the start",
-            partial(_gained, scene, count, p), 0.0, weight * high,
+            "gain", "max(E - E0)", "J", "kinetic and potential energy in excess of that at the "
+            "start",
+            partial(_energy_gain, scene, count, p), 0.0, weight * high,
             Invariant(0.5 * (dt / unit) ** 2, HEAT),
         ),
         Scalar(
-            "hurry", "d", "m", "how far the centre of mass is below its free fall, at most",
-            partial(_hurried, scene, count, p), 0.0, high, Invariant(1e-9, NO_PULL),
+            "hurry", "d", "m", "largest distance of the centre of mass below its free fall",
+            partial(_faster_than_fall, scene, count, p), 0.0, high, Invariant(1e-9, NO_PULL),
         ),
         Scalar(
-            "through", "n", "", "grains below the centres of the floor's at the end",
-            partial(_through, scene, count), 0.0, 1.0, Invariant(0.5, FLOORED),
+            "through", "n", "", "number of grains below the centres of the floor at the end",
+            partial(_fallen_through, scene, count), 0.0, 1.0, Invariant(0.5, FLOORED),
         ),
     ))  # fmt: skip
 
 
 def _judge(a: float, wide: float) -> Measured:
-    """The measured run-out, with what grains as large as these may miss of it."""
+    """The measured run-out, with what grains of this size may miss of it."""
     value = column.run_out(a)
     seen = Measurement(value, PRINTED * a, SCATTER * value, CONDITIONS, CITED)
     grain = (1.0 + value) / column.height(a) / wide
@@ -190,7 +193,7 @@ def _judge(a: float, wide: float) -> Measured:
 
 
 def _height(a: float) -> Measurement:
-    """The measured height: between both laws that are cited, which differ near a = 1."""
+    """The measured height: between the two laws that are cited, which differ near a = 1."""
     low, high = sorted((column.height(a), a))
     half = 0.5 * (high - low)
     return Measurement(low + half, PRINTED * a, half, CONDITIONS, CITED_HEIGHT)
@@ -203,34 +206,34 @@ CITED = (
 )
 CITED_HEIGHT = (
     "Lube and others (2004) as others cite it: 0.88 a^(1/6) of tall columns; from 0.74 to 1.7 the "
-    "height at first"
+    "initial height"
 )
 CONDITIONS = (
     "sand, rice, couscous, sugar and salt in cylinders of many grains across, which are lifted off "
-    "quickly; the laws hold for all of them and for smooth and rough floors"
+    "quickly; the laws hold for all of them, on smooth and rough floors"
 )
 BAND = (
-    "three standard uncertainties, a tenth each, since no source that could be read states the "
-    "scatter; and an edge of one grain: a heap is not told where it is thinner than that, which "
-    "is d over its mean slope, as measured, short of where it thins out to nothing"
+    "three standard uncertainties of a tenth each, since no source that could be read states the "
+    "scatter; and an edge of one grain: a heap is not resolved where it is thinner than a grain, d "
+    "over its measured mean slope away from where its thickness is zero"
 )
 ONE_GRAIN = (
-    "one grain at the axis tells it, and it is a grain or two: five grains across are 0.3 short, "
-    "ten 0.12, and no law is known for that"
+    "a single grain at the axis decides the value, by a grain or two: a column of five grains "
+    "across is 0.3 too low, one of ten 0.12, and no law is known for that"
 )
 HEAT = (
-    "friction, dashpots and spins take energy and springs hold some, none of which gives any; a "
-    "velocity may be told a step of free fall late"
+    "friction, dashpots and spins take energy, springs store some, and nothing adds any; a "
+    "velocity may be reported a step of free fall late"
 )
 NO_PULL = "the floor only pushes, upwards or sideways, so that nothing falls faster than freely"
-FLOORED = "grains of the floor are closer than their diameters allow any to pass"
+FLOORED = "the grains of the floor are so close that no falling grain can pass"
 FORMULA = "(r - r0)/r0 = 1.24 a, a = h0/r0 < 1.7; E(t) <= E(0); z(t) >= z(0) - g t^2/2"
 NOTE = (
-    "Grains are spheres with friction and without rolling resistance, of sizes that keep them from "
-    "a lattice, as dense as poured grains, 0.59; the floor is one layer of glued grains. "
-    "Stiffness, 2e4 m g/d, damping, friction and sizes are chosen. The ways of grains are "
-    "chance: run-out and height are told to 0.25, over three random starts. They can show whether "
-    "such spheres run out as grains do, within their own size, and nothing of how well a code "
+    "Grains are spheres with friction and without rolling resistance, of different sizes so that "
+    "they form no lattice, and as dense as poured grains, 0.59; the floor is one layer of glued "
+    "grains. Stiffness, 2e4 m g/d, damping, friction and sizes are chosen. The paths of grains are "
+    "chance: run-out and height are rounded to 0.25, over three random starts. They can show "
+    "whether such spheres run out like grains, within their own size, but not how well a code "
     "solves their motion. Lube's paper could not be read: its laws are as others cite them."
 )
 CASE = Case(
@@ -250,7 +253,7 @@ CASE = Case(
     variants=tuple(
         Variant(
             f"seed-{seed}",
-            f"a grain of a fifth of the radius, random start {seed}",
+            f"grains of a fifth of the radius, random start {seed}",
             FORMULA,
             inert=frozenset({"mu", "g", "wide"}),
             level=Level.DEFAULT if seed == SEEDS[0] else Level.PAPER,

@@ -1,8 +1,8 @@
-"""A gas of spheres in a box without gravity: how often they meet, and how viscous contacts cool it.
+"""A gas of spheres in a box without gravity: rate of collisions, and cooling by viscous contacts.
 
-The ways of the spheres differ from code to code after some collisions, and each seed is one draw of
-many. Compared are means over spheres and time, which are told in units of the width in which the
-draws of all seeds lie, as `tests/cases/bulk/test_homogeneous_cooling.py` shows with their means.
+The paths of the spheres differ between codes after some collisions, and each seed is one draw of
+many. Means over spheres and time are compared, rounded to units of the width in which the draws of
+all seeds lie, as `tests/cases/bulk/test_homogeneous_cooling.py` shows with their means.
 """
 
 from __future__ import annotations
@@ -31,24 +31,24 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 from vv.scene.neighbours import overlapping
 
 COUNT, RADIUS, SIDE = 500, 0.005, 0.14  # spheres, and lengths [m]
-PLACES = 12  # along each side, of which spheres take some at random
+PLACES = 12  # sites along each side, of which spheres take some at random
 MOVED = tuple(Displacement(i) for i in range(COUNT))  # walls are bodies after the spheres
 SPEEDS = tuple(Velocity(i) for i in range(COUNT))
 SEEDS = (1, 2, 3)
-STEPS = 12  # in a contact of two
-SETTLED = 40  # outputs until spheres that start at one speed have forgotten it
-COOLED, SHARE = 1.0, 0.1  # times tau, and the part of it that is not looked at
+STEPS = 12  # in a contact of two spheres
+SETTLED = 40  # outputs until spheres that start at one speed have lost the memory of it
+COOLED, SHARE = 1.0, 0.1  # times tau, and the first part of it, which is left out
 LASTED, OUTPUTS = 15.0, 180  # times the diameter over the speed
-RATE, MET, SPREAD, KEPT = 0.18, 0.2, 0.15, 0.01  # units in which quantities are told
+RATE, MET, SPREAD, KEPT = 0.18, 0.2, 0.15, 0.01  # units to which quantities are rounded
 
 
 def to_nearest(value: float, unit: float, reference: float) -> float:
-    """The value to the nearest whole unit from the reference: what is smaller is chance."""
+    """The value, rounded to whole units from the reference: smaller differences are chance."""
     return reference * (1.0 + unit * round((value / reference - 1.0) / unit))
 
 
 def _spheres(seed: int, p: Parameters, alike: bool) -> Spheres:
-    """Spheres at random places of a lattice, of one speed or of Maxwell's."""
+    """Spheres on random sites of a lattice, all of one speed or with Maxwell's distribution."""
     random = np.random.default_rng(seed)
     grid = np.stack(np.meshgrid(*[np.arange(PLACES)] * 3, indexing="ij"), 3).reshape(-1, 3)
     place = grid[random.choice(len(grid), COUNT, replace=False)]
@@ -83,13 +83,13 @@ def moving(scene: Scene, run: Run) -> Vector:
 
 
 def cooling_rate(scene: Scene, run: Run) -> float:
-    """How fast the root of the energy at t = 0 over that of now grows [1/s]."""
+    """The growth rate of the root of the energy at t = 0 over the current one [1/s]."""
     energy, first = moving(scene, run), round(SHARE * (len(run.times) - 1))
     slowed = np.sqrt(energy[0] / energy)
     return float((slowed[-1] - slowed[first]) / (run.times[-1] - run.times[first]))
 
 
-def _sunk(scene: Scene, run: Run, k: int) -> Vector:
+def _overlaps(scene: Scene, run: Run, k: int) -> Vector:
     """Overlaps [m] of all contacts at an output."""
     s = scene.spheres
     x = s.position + np.stack([run.values[what][k] for what in MOVED])
@@ -100,20 +100,20 @@ def _sunk(scene: Scene, run: Run, k: int) -> Vector:
 
 
 def contacts(scene: Scene, run: Run) -> float:
-    """Contacts at an output, in the mean of those after the first."""
+    """The mean number of contacts over the outputs after SETTLED."""
     seen = range(SETTLED, len(run.times))
-    return float(np.mean([len(_sunk(scene, run, k)) for k in seen]))
+    return float(np.mean([len(_overlaps(scene, run, k)) for k in seen]))
 
 
 def flatness(run: Run) -> float:
-    """The mean of v^4 over the square of that of v^2, in the mean of the same outputs."""
+    """The mean of v^4 over the square of the mean of v^2, averaged over the same outputs."""
     squares = np.stack([(run.values[what][SETTLED:] ** 2).sum(axis=1) for what in SPEEDS])
     return float(((squares**2).mean(axis=0) / squares.mean(axis=0) ** 2).mean())
 
 
 def energy(p: Parameters, scene: Scene, run: Run) -> float:
     """Energy of motion and of springs at the end [J]."""
-    springs = 0.5 * p["kn"] * float((_sunk(scene, run, -1) ** 2).sum())
+    springs = 0.5 * p["kn"] * float((_overlaps(scene, run, -1) ** 2).sum())
     return float(moving(scene, run)[-1]) + springs
 
 
@@ -135,9 +135,9 @@ def _cooled(scene: Scene, p: Parameters, dt: float) -> Trial:
     rate = cooling.cooling(COUNT, _gas(p, p["m"] * p["v"] ** 2), p["z"])
     steps = round(COOLED / rate / dt / 10)
     falls = _scalar(
-        "cooling rate", "1/tau", "1/s", "how fast sqrt(E(0)/E) grows, from 0.1 tau on",
+        "cooling rate", "1/tau", "1/s", "growth rate of sqrt(E(0)/E), from 0.1 tau on",
         functools.partial(cooling_rate, scene), rate, RATE,
-        "of 24 seeds all lie within 5.1 % of their mean, which is 2.4 +- 0.9 % (95 %) below",
+        "all of 24 seeds lie within 5.1 % of their mean, which is 2.4 +- 0.9 % (95 %) below theory",
     )  # fmt: skip
     goal = History(10 * steps * dt, steps * dt)
     ladder = Ladder(scene, goal, SPEEDS, dict.fromkeys(Level, (Knobs(dt=dt),)))
@@ -150,23 +150,24 @@ def _elastic(scene: Scene, p: Parameters, dt: float) -> Trial:
     law = {"m": p["m"], "kn": p["kn"]}
     warm = p["m"] * p["v"] ** 2
     found = cooling.touching(_gas(p, warm), **law)
-    warm /= 1.0 + found / (3.0 * COUNT)  # each contact holds T/2 in its spring
+    warm /= 1.0 + found / (3.0 * COUNT)  # the spring of each contact stores T/2
     found = cooling.touching(_gas(p, warm), **law)
     met = _scalar(
-        "contacts", "c", "", "contacts at a time, those with walls included",
+        "contacts", "c", "", "mean number of contacts, including those with walls",
         functools.partial(contacts, scene), found, MET,
-        "of 24 seeds all lie within 6 % of their mean, which is 0.4 +- 1.1 % (95 %) below",
+        "all of 24 seeds lie within 6 % of their mean, which is 0.4 +- 1.1 % (95 %) below theory",
     )  # fmt: skip
     spread = _scalar(
-        "flatness", "<v4>/<v2>2", "", "of the speeds, which are all equal at t = 0",
+        "flatness", "<v4>/<v2>2", "", "flatness of the distribution of speeds, which are all equal "
+        "at t = 0",
         functools.partial(flatness), cooling.flatness(COUNT), SPREAD,
         "all of 24 seeds lie within 3.5 % of the exact value",
     )  # fmt: skip
     kept = _scalar(
         "energy", "E", "J", "energy of motion and of springs at the end",
         functools.partial(energy, p, scene), whole, KEPT,
-        "a contact that begins within a step gains or loses some (w dt)^2/2 of its energy, 2 %, "
-        "by chance: 2e-3 of all after 20 contacts of each sphere",
+        "a contact that begins within a step gains or loses some (w dt)^2/2 of its energy, 2 %, at "
+        "random: 2e-3 of all energy after 20 contacts of each sphere",
     )  # fmt: skip
     goal = History(OUTPUTS * (steps // OUTPUTS) * dt, (steps // OUTPUTS) * dt)
     ladder = Ladder(scene, goal, (*MOVED, *SPEEDS), dict.fromkeys(Level, (Knobs(dt=dt),)))
@@ -179,8 +180,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return (_cooled if p["z"] > 0 else _elastic)(scene, p, dt)
 
 
-DRAWN = "rounded to units of twice this scatter, so that chance does not change a result"
-WIDE = "one seed tells it to some per cent, and it is told in units of 15 to 20 %"
+DRAWN = "values are rounded to units of twice this scatter, so that chance does not change a result"
+WIDE = "one seed gives it to some per cent, and it is rounded to units of 15 to 20 %"
 CASE = Case(
     name="homogeneous-cooling",
     title="A gas of spheres cools",
@@ -188,10 +189,10 @@ CASE = Case(
         "Haff (1983), Grain flow as a fluid-mechanical phenomenon, Journal of Fluid Mechanics "
         "134, 401-430",
         "10.1017/S0022112083003419",
-        "Between walls, which take energy too: there is no periodic boundary, and walls have the "
-        "viscosity of all contacts. The rate of collisions is Enskog's, with the equation of state "
-        "of Carnahan and Starling; what walls change by the surface tension of Henderson and "
-        "Plischke and the restitution of Schwager and Poeschel.",
+        "The gas is between walls, which take energy too: there is no periodic boundary, and walls "
+        "have the viscosity of all contacts. The rate of collisions is Enskog's, with the equation "
+        "of state of Carnahan and Starling; the effect of walls is the surface tension of "
+        "Henderson and Plischke, and the restitution that of Schwager and Poeschel.",
     ),
     parameters=(
         Parameter("m", 1e-3, "kg", "mass of a sphere"),

@@ -1,6 +1,6 @@
-"""Grains leave a silo through a hole in its floor: how many a second, measured, and what height is.
+"""Grains leave a silo through a hole in its floor: their rate, measured, and effect of height.
 
-A plane wall has no opening, in any code: the floor is one layer of grains that are held.
+A plane wall has no opening, in any code: the floor is one layer of fixed grains.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ from vv.case import (
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
-D = 0.01  # diameter of the largest grain, and of those of the floor [m]
+D = 0.01  # diameter of the largest grain, and of the grains of the floor [m]
 SIZES, MEAN = (0.85, 1.0), 0.925  # diameters over D
-WIDE, RISE = 10, 0.88  # of the silo and its filling [D]
+WIDE, RISE = 10, 0.88  # width of the silo and spacing of the layers [D]
 LAYERS = {"narrow": 14, "wide": 14, "low": 8}  # of the filling, by variant
-DEEP = 10.0  # where grains come to rest, below the floor [D]
+DEEP = 10.0  # of the plane below the floor on which grains come to rest [D]
 STIFF, SHEAR, DAMPED, DENSE = 3e3, 2.0 / 7.0, 0.3, 2500.0
-FILLED = 0.59  # of what is poured
-FROM, TO, SLACK = 0.1, 0.4, 1.2  # parts that have left; time given for it over that of the law
-ROWS, TOLD = 50, 0.1  # times of output; to which part of the law's the rate is told
+FILLED = 0.59  # solid fraction of the poured grains
+FROM, TO, SLACK = 0.1, 0.4, 1.2  # parts that have left; time allowed over that of the law
+ROWS, TOLD = 50, 0.1  # number of outputs; unit of rounding over the rate of the law
 
 
 def _sites(wide: float, pitch: float, aside: bool) -> Vector:
@@ -50,7 +50,7 @@ def _sites(wide: float, pitch: float, aside: bool) -> Vector:
 
 
 def _grains(high: int, seed: int) -> tuple[Vector, Vector]:
-    """Centres (n, 3) and diameters (n,) of so many layers of grains [D], none of which overlap."""
+    """Centres (n, 3) and diameters (n,) of `high` layers of grains [D], none of which overlap."""
     layers = [
         np.insert(_sites(WIDE - 1.0, 1.0, bool(k % 2)), 2, 1.0 + RISE * k, axis=1)
         for k in range(high)
@@ -62,7 +62,7 @@ def _grains(high: int, seed: int) -> tuple[Vector, Vector]:
 
 
 def _floor(opening: float) -> Vector:
-    """Centres (n, 3) [D] of grains side by side round the hole, and of a lattice around these."""
+    """Centres (n, 3) [D] of grains side by side around the hole, and of a lattice around these."""
     ring, many = hopper.edge(opening)
     turn = 2.0 * math.pi * np.arange(many) / many
     edge = ring * np.column_stack([np.cos(turn), np.sin(turn)])
@@ -72,7 +72,7 @@ def _floor(opening: float) -> Vector:
 
 
 def _scene(variant: str, p: Parameters) -> tuple[Scene, int]:
-    """Grains above a floor that is held, between four planes and above one; how many fall."""
+    """Grains above a fixed floor, between four planes and above one; the number that fall."""
     opening = p["opening"]
     name, _, seed = variant.partition("-")
     filling, size = _grains(LAYERS[name], int(seed))
@@ -91,40 +91,40 @@ def _scene(variant: str, p: Parameters) -> tuple[Scene, int]:
 
 
 def _places(scene: Scene, count: int, run: Run) -> Vector:
-    """Where the grains that fall are (k, n, 3) [m]."""
+    """The positions of the falling grains (k, n, 3) [m]."""
     moved = np.stack([run.values[Displacement(i)] for i in range(count)], axis=1)
     return scene.spheres.position[:count] + moved
 
 
-def _when(scene: Scene, count: int, run: Run, part: float) -> float:
-    """When a part of all has left [s]; no number if it never has."""
+def _departure(scene: Scene, count: int, run: Run, part: float) -> float:
+    """The time at which a part of all grains has left [s]; nan if it never has."""
     left = (_places(scene, count, run)[:, :, 2] < 0.0).sum(axis=1)
     if left[-1] < part * count:
         return math.nan
     return float(np.interp(part * count, left, run.times))
 
 
-def _between(scene: Scene, count: int, first: float, last: float, run: Run) -> float:
-    """Grains a second while these parts leave; none where they do not."""
-    spent = _when(scene, count, run, last) - _when(scene, count, run, first)
+def _rate_between(scene: Scene, count: int, first: float, last: float, run: Run) -> float:
+    """Grains per second while these parts leave; zero if they do not."""
+    spent = _departure(scene, count, run, last) - _departure(scene, count, run, first)
     return (last - first) * count / spent if spent > 0 else 0.0
 
 
 def _rate(scene: Scene, count: int, law: float, run: Run) -> float:
-    """Grains a second, as far as they are no chance."""
-    return law * TOLD * round(_between(scene, count, FROM, TO, run) / law / TOLD)
+    """Grains per second, rounded since the rest is chance."""
+    return law * TOLD * round(_rate_between(scene, count, FROM, TO, run) / law / TOLD)
 
 
-def _slows(scene: Scene, count: int, run: Run) -> float:
-    """The rate of the second half of that time over that of the first, told likewise."""
+def _rate_ratio(scene: Scene, count: int, run: Run) -> float:
+    """The rate of the second half of that time over that of the first, rounded likewise."""
     middle = 0.5 * (FROM + TO)
-    first = _between(scene, count, FROM, middle, run)
-    second = _between(scene, count, middle, TO, run)
+    first = _rate_between(scene, count, FROM, middle, run)
+    second = _rate_between(scene, count, middle, TO, run)
     return TOLD * round(second / first / TOLD) if first > 0 else 0.0
 
 
 def _astray(scene: Scene, count: int, run: Run) -> float:
-    """How many grains have left elsewhere than through the hole: beside it, or the silo."""
+    """The number of grains that left elsewhere than through the hole: beside it, or the silo."""
     x = _places(scene, count, run) / D
     wide = np.abs(x[:, :, :2]).max(axis=2) > 0.5 * WIDE
     crossed = (x[:-1, :, 2] > 0.5) & (x[1:, :, 2] < 0.0)
@@ -146,16 +146,16 @@ def _declare(variant: str, p: Parameters) -> Trial:
     measured = Measurement(law, 0.0, sure * law, CONDITIONS, CITED)
     return Trial(ladder, (
         Scalar(
-            "rate", "W", "1/s", f"grains a second, from {FROM:.0%} to {TO:.0%} of all",
+            "rate", "W", "1/s", f"grains per second, from {FROM:.0%} to {TO:.0%} of all",
             partial(_rate, scene, count, law), None, law,
             Measured(measured, 3 * sure * law, BAND, law=True),
         ),
         Scalar(
-            "steady", "W2/W1", "", "rate of the second half of these over that of the first",
-            partial(_slows, scene, count), 1.0, 1.0, Invariant(STEADY, NO_HEAD),
+            "steady", "W2/W1", "", "rate of the second half of these grains over that of the first",
+            partial(_rate_ratio, scene, count), 1.0, 1.0, Invariant(STEADY, NO_HEAD),
         ),
         Scalar(
-            "astray", "n", "", "grains that left the silo elsewhere",
+            "astray", "n", "", "grains that left the silo elsewhere than through the hole",
             partial(_astray, scene, count), 0.0, 1.0, Invariant(0.5, CLOSED),
         ),
     ))  # fmt: skip
@@ -168,21 +168,20 @@ CITED = (
 )
 CONDITIONS = (
     "seeds, sand and beads in flat-bottomed silos, whose hole is six grains across or more; the "
-    "bulk density is that of what was poured, here 0.59 of the grains'"
+    "bulk density is that of the poured grains, here 0.59 of the density of a grain"
 )
 BAND = "three standard uncertainties of the two constants"
 NO_HEAD = (
     "the rate does not depend on the height (Janssen's silo); 100 grains or more leave in each "
-    "half, one by one, which tells their rate to some per cent, and it is told to 0.1"
+    "half, one by one, which gives their rate to some per cent, and it is rounded to 0.1"
 )
-CLOSED = "grains of the floor are closer than any that falls is wide"
+CLOSED = "the grains of the floor are so close that no falling grain can pass"
 NOTE = (
     "A plane wall has no opening in these codes, so that the floor is a layer of glued grains, "
-    "which round the hole stand side by side; the hole is taken for a circle of the same area. "
-    "Grains are spheres with friction and without rolling "
-    "resistance. Stiffness, 3e3 m g/d, damping, friction and sizes are chosen. The ways of grains "
-    "are chance: the rate is told to a tenth. Beverloo's paper could not be read: his law is as "
-    "others cite it."
+    "which stand side by side around the hole; the hole is taken for a circle of the same area. "
+    "Grains are spheres with friction and without rolling resistance. Stiffness, 3e3 m g/d, "
+    "damping, friction and sizes are chosen. The paths of grains are chance: the rate is rounded "
+    "to a tenth. Beverloo's paper could not be read: his law is as others cite it."
 )
 CASE = Case(
     name="hopper",

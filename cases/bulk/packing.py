@@ -1,9 +1,9 @@
-"""Spheres without friction settle in a box: at rest they obey exact laws, however they came there.
+"""Spheres without friction settle in a box; at rest they obey exact laws, however they got there.
 
-After some collisions the ways of spheres differ from code to code, and are not compared: when that
-begins, `python -m bench.chance.divergence` finds. What is compared are laws of their rest and of
-how they lose their energy, over some seeds here and over many, with confidence intervals, in
-`python -m bench.chance.ensembles`.
+After some collisions the paths of spheres differ between codes and are not compared; `python -m
+bench.chance.divergence` finds when that begins. Laws of their state of rest and of their loss of
+energy are compared, over some seeds here and, with confidence intervals, over many in `python -m
+bench.chance.ensembles`.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ from vv.case import (
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 from vv.scene.neighbours import overlapping
 
-COUNT, ACROSS = 100, 4  # spheres, and how many lie along each side of the box
+COUNT, ACROSS = 100, 4  # number of spheres, and of those along each side of the box
 LARGEST, SIZES = 0.01, (0.8, 0.85, 0.9, 0.95, 1.0)  # radius [m], and radii over it
 SIDE = 1.1 * 2 * LARGEST * ACROSS  # m
 SEEN = tuple(Displacement(i) for i in range(COUNT))  # walls are bodies after the spheres
 FAST = tuple(Velocity(i) for i in range(COUNT))
-GOAL, FADES = History(2.4, 0.15), 0.05  # where drag takes m/eta [s]; as much longer where more
+GOAL, FADES = History(2.4, 0.15), 0.05  # at m/eta = FADES [s]; longer where drag needs more time
 SEEDS = (1, 2, 3)
-FINE, COARSE = 1e-4, 0.2  # to which parts of the weight and the radius, and contacts, are told
+FINE, COARSE = 1e-4, 0.2  # units of rounding: parts of the weight and the radius, and contacts
 
 
-def _whole(value: float, unit: float) -> float:
-    """The nearest multiple of a unit: what is smaller is chance, and differs by platform."""
+def _rounded(value: float, unit: float) -> float:
+    """The nearest multiple of a unit: smaller differences are chance, and vary by platform."""
     return round(value / unit) * unit
 
 
@@ -67,7 +67,7 @@ def _walls() -> tuple[Wall, ...]:
 
 
 def _placed(scene: Scene, run: Run, row: int) -> Spheres:
-    """The spheres where they are at an output."""
+    """The spheres at their positions at an output."""
     s = scene.spheres
     moved = np.stack([run.values[what][row] for what in SEEN])
     return Spheres(s.position + moved, s.velocity, s.radius, s.mass, s.free)
@@ -105,14 +105,14 @@ def moving(scene: Scene, run: Run) -> Vector:
 
 
 def momentum(scene: Scene, run: Run) -> float:
-    """The size of the sum of all momenta at the end, over what it could be at the start."""
+    """The magnitude of the total momentum at the end, over the sum of magnitudes at the start."""
     fast = np.stack([run.values[what] for what in FAST], axis=1)
     most = scene.spheres.mass @ np.linalg.norm(fast[0], axis=1)
     return float(np.linalg.norm(scene.spheres.mass @ fast[-1]) / most)
 
 
-def _held(kn: float, scene: Scene, run: Run, row: int) -> float:
-    """What springs hold at an output [J]."""
+def _spring_energy(kn: float, scene: Scene, run: Run, row: int) -> float:
+    """The energy of springs at an output [J]."""
     s = _placed(scene, run, row)
     i, j = overlapping(s).T
     deep = s.radius[i] + s.radius[j] - np.linalg.norm(s.position[i] - s.position[j], axis=1)
@@ -120,9 +120,9 @@ def _held(kn: float, scene: Scene, run: Run, row: int) -> float:
 
 
 def gained(p: Parameters, scene: Scene, run: Run) -> float:
-    """The largest growth of kinetic, spring and potential energy to a later output [J]."""
+    """The largest growth of kinetic, spring and potential energy towards a later output [J]."""
     height = np.stack([run.values[what][:, 2] for what in SEEN], axis=1) @ scene.spheres.mass
-    springs = [_held(p["kn"], scene, run, row) for row in range(len(run.times))]
+    springs = [_spring_energy(p["kn"], scene, run, row) for row in range(len(run.times))]
     whole = moving(scene, run) + p["g"] * height + springs
     return max(0.0, float((whole - np.minimum.accumulate(whole)).max()))
 
@@ -141,52 +141,56 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _forces(p: Parameters, scene: Scene, weight: float) -> tuple[Scalar, ...]:
-    """What holds the pack at the end: the floor, the sides, its contacts."""
+    """The forces on the pack at the end: of the floor, of the sides, and its contacts."""
     floor = Scalar(
-        "floor", "F", "N", "push of the floor at the end, from overlaps",
-        lambda run: _whole(p["kn"] * float(pressed(scene, run)[:, 2].sum()), FINE * weight),
+        "floor", "F", "N", "force of the floor at the end, from overlaps",
+        lambda run: _rounded(p["kn"] * float(pressed(scene, run)[:, 2].sum()), FINE * weight),
         weight, weight, Exact(REST),
     )  # fmt: skip
     sides = Scalar(
-        "sides", "S", "N", "push of opposite sides that does not cancel at the end",
-        lambda run: _whole(sideways(p["kn"], scene, run), FINE * weight), 0.0, weight, Exact(REST),
+        "sides", "S", "N", "difference of the forces of opposite sides at the end",
+        lambda run: _rounded(sideways(p["kn"], scene, run), FINE * weight), 0.0, weight,
+        Exact(REST),
     )  # fmt: skip
     coordination = Scalar(
-        "coordination", "c", "", "contacts for each sphere at the end, those with walls included",
-        lambda run: _whole(contacts(scene, run), COARSE), packing.CONTACTS, packing.CONTACTS,
+        "coordination", "c", "", "contacts per sphere at the end, including those with walls",
+        lambda run: _rounded(contacts(scene, run), COARSE), packing.CONTACTS, packing.CONTACTS,
         Exact(COUNTED),
     )  # fmt: skip
     return floor, sides, coordination
 
 
 def _motions(p: Parameters, scene: Scene, weight: float) -> tuple[Scalar, ...]:
-    """How far the pack has come to rest, and that drag alone took its energy."""
+    """How far the pack has come to rest, and whether drag alone took its energy."""
     rest = Scalar(
-        "still", "d", "m", "farthest way of a sphere in the last sixteenth of the time",
-        lambda run: _whole(still(run), FINE * LARGEST), 0.0, LARGEST, Exact(REST),
+        "still", "d", "m", "largest displacement of a sphere in the last sixteenth of the time",
+        lambda run: _rounded(still(run), FINE * LARGEST), 0.0, LARGEST, Exact(REST),
     )  # fmt: skip
     heavy = Scalar(
-        "momentum", "|P|/sum m v0", "", "sum of momenta at the end, over those at the start",
-        lambda run: _whole(momentum(scene, run), FINE), 0.0, 1.0, Exact(REST),
+        "momentum", "|P|/sum m v0", "", "total momentum at the end, over the sum of momenta at the "
+        "start",
+        lambda run: _rounded(momentum(scene, run), FINE), 0.0, 1.0, Exact(REST),
     )  # fmt: skip
     lost = Scalar(
-        "decay", "E/E0", "", "energy of motion at the end, over that at the start",
-        lambda run: _whole(float(moving(scene, run)[-1] / moving(scene, run)[0]), FINE), 0.0, 1.0,
+        "decay", "E/E0", "", "kinetic energy at the end, over that at the start",
+        lambda run: _rounded(float(moving(scene, run)[-1] / moving(scene, run)[0]), FINE), 0.0, 1.0,
         Exact(REST),
     )  # fmt: skip
     gain = Scalar(
-        "gain", "max(E2 - E1)", "J", "growth of the energy of motion, springs and height",
-        lambda run: _whole(gained(p, scene, run), FINE * LARGEST * weight), 0.0,
+        "gain", "max(E2 - E1)", "J", "growth of kinetic, spring and potential energy",
+        lambda run: _rounded(gained(p, scene, run), FINE * LARGEST * weight), 0.0,
         2.0 * LARGEST * weight, Invariant(1e-3, DRAGGED),
     )  # fmt: skip
     return rest, heavy, lost, gain
 
 
 DRAGGED = (
-    "drag takes energy and nothing gives any; a leapfrog's energy swings by (w dt)^2/8 of what "
-    "contacts hold, 6e-3 of a tenth of it, and velocities may be told half a step late"
+    "drag takes energy and nothing adds any; the energy of a leapfrog oscillates by (w dt)^2/8 of "
+    "what contacts store, 6e-3 of a tenth of it, and velocities may be reported half a step late"
 )
-SLOWEST = "half of all packs leave less than 4e-9, but how long a pack takes to rest is chance"
+SLOWEST = (
+    "half of all packs have less than 4e-9, but how long a pack takes to come to rest is chance"
+)
 REST = {
     method: Tolerance(
         0.5 * FINE,
@@ -198,8 +202,8 @@ REST = {
 COUNTED = {
     method: Tolerance(
         0.025,
-        "springs that yield close a few contacts more: in 40 packs the mean is "
-        "3.012 +- 0.006 (95 %), and each lies between 2.97 and 3.05",
+        "springs that yield close a few more contacts: in 40 packs the mean is 3.012 +- 0.006 "
+        "(95 %), and each lies between 2.97 and 3.05",
     )
     for method in (Method.SECOND_ORDER, Method.FIRST_ORDER)
 }
@@ -210,20 +214,20 @@ CASE = Case(
         "Moukarzel (1998), Isostatic phase transition and instability in stiff granular "
         "materials, Physical Review Letters 81(8), 1634-1637",
         "10.1103/PhysRevLett.81.1634",
-        "The ways of the spheres differ from code to code after some collisions, and are not "
-        "compared; laws of their rest are, over several seeds.",
+        "The paths of the spheres differ between codes after some collisions and are not compared; "
+        "the laws of their state of rest are, over several seeds.",
     ),
     parameters=(
         Parameter("m", 0.01, "kg", "mass of the largest sphere"),
         Parameter("kn", 1e5, "N/m", "contact stiffness"),
-        Parameter("eta", 0.2, "N s/m", "drag that brings all to rest"),
+        Parameter("eta", 0.2, "N s/m", "drag that brings all spheres to rest"),
         Parameter("g", 9.81, "m/s2", "gravity"),
     ),
     variants=tuple(
         Variant(
             f"seed-{seed}",
             f"{COUNT} spheres, random start {seed}",
-            "F = sum m g; opposite sides push alike; 3 contacts for each sphere",
+            "F = sum m g; opposite sides push equally; 3 contacts per sphere",
             inert=frozenset({"kn", "eta"}),
             level=Level.QUICK if seed == 1 else Level.PAPER,
         )

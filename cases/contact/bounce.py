@@ -1,4 +1,4 @@
-"""Spheres that turn freely and bounce: on a floor, and on each other, with stick and slip."""
+"""Spheres that rotate freely and bounce: on a floor, and on each other, with stick and slip."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from vv.case import (
 from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated, rotation_about_z
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
-Why = tuple[str, str] | tuple[()]  # of the second order, of the first
+Why = tuple[str, str] | tuple[()]  # why the bounds of second and of first order
 
 ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
 GOAL = History(duration=0.036, interval=1e-4)
@@ -40,7 +40,7 @@ def _mass(p: Parameters, r: float) -> float:
 
 
 def _on_floor(p: Parameters, held: bool) -> Scene:
-    """A sphere thrown along x over a floor; held: locked along y, where a load pushes it."""
+    """A sphere thrown along x over a floor; held: locked along y, in which a load pushes it."""
     r = p["r1"]
     sphere = Spheres(
         position=(r + p["gap"]) * Z[None],
@@ -56,8 +56,8 @@ def _on_floor(p: Parameters, held: bool) -> Scene:
     return Scene((Wall(np.zeros(3), Z), sphere), contact, gravity=-p["g"] * Z)
 
 
-def _two(p: Parameters) -> Scene:
-    """Two free spheres along a line oblique to the frame, pressed on each other by the load."""
+def _pair_scene(p: Parameters) -> Scene:
+    """Two free spheres on a line oblique to the frame, which the load presses together."""
     r = np.array([p["r1"], p["r2"]])
     spheres = Spheres(
         position=np.array([np.zeros(3), (r.sum() + p["gap"]) * X]),
@@ -85,21 +85,21 @@ def _pair_path(p: Parameters, body: int, t: Vector) -> Vector:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant in ("floor", "held"):
-        scene, step = _on_floor(p, variant == "held"), FLOOR_STEP * _slower(p, 2e10)
+        scene, step = _on_floor(p, variant == "held"), FLOOR_STEP * _duration_ratio(p, 2e10)
         path = functools.partial(_floor_path, p)
         seen: tuple[Displacement, ...] = (Displacement(1),)
-        quantities = _of_sphere(_motion(seen[0], scene, 3, path), step, p)
+        quantities = _sphere_quantities(_motion(seen[0], scene, 3, path), step, p)
     else:
-        scene, step = _two(p), PAIR_STEP * _slower(p, 5e6)
+        scene, step = _pair_scene(p), PAIR_STEP * _duration_ratio(p, 5e6)
         seen = (Displacement(0), Displacement(1))
         paths = [functools.partial(_pair_path, p, what.body) for what in seen]
         motions = [_motion(w, scene, 2, path) for w, path in zip(seen, paths, strict=True)]
-        quantities = _of_pair(motions, step, p)
+        quantities = _pair_quantities(motions, step, p)
     return Trial(Ladder(scene, GOAL, seen, _levels(step)), quantities)
 
 
-def _slower(p: Parameters, kn: float) -> float:
-    """How much longer a contact lasts than by default, where its stiffness is kn [N/m]."""
+def _duration_ratio(p: Parameters, kn: float) -> float:
+    """The duration of a contact over that at the defaults, where its stiffness is kn [N/m]."""
     return float(np.sqrt(kn / p["kn"] * (p["rho"] / 2500.0) * (p["r1"] / 0.1) ** 3))
 
 
@@ -107,13 +107,13 @@ def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Mo
     return Motion(what, scene.axes[:directions], path, GOAL.times(None), "m")
 
 
-def _of_sphere(motion: Motion, step: float, p: Parameters) -> tuple[Quantity, ...]:
+def _sphere_quantities(motion: Motion, step: float, p: Parameters) -> tuple[Quantity, ...]:
     arm = 2e-5 * float(np.sqrt(2e10 / p["kn"]))
     up = _judge(step, 2e-4 + arm, 5e-4, arm)
-    along = _judge(step, max(2e-4, _rubbed_off(motion, step, p)) + arm, 5e-4, arm)
+    along = _judge(step, max(2e-4, _tangential_error(motion, step, p)) + arm, 5e-4, arm)
     ways = (
         ("x", "along the throw", along),
-        ("y", "across the throw, level", NOWHERE),
+        ("y", "horizontal, across the throw", NOWHERE),
         ("z", "up", up),
     )
     parts = [
@@ -123,11 +123,12 @@ def _of_sphere(motion: Motion, step: float, p: Parameters) -> tuple[Quantity, ..
     return (*parts, motion.distance(along))
 
 
-def _rubbed_off(motion: Motion, step: float, p: Parameters) -> float:
-    """How far along the throw the ends of contacts within steps [s] put a sphere, over its way.
+def _tangential_error(motion: Motion, step: float, p: Parameters) -> float:
+    """The error along the throw by ends of contacts within steps [s], over the displacement.
 
-    Each end costs up to (k dt)^2/8 of the closing speed, and friction makes of both mu times as
-    much, or twice that as it turns the sphere, for the whole time.
+    Each end costs up to (k dt)^2/8 of the closing speed. Friction turns the errors of both ends
+    into mu times as much tangential speed, or twice that where it also rotates the sphere, for the
+    whole time.
     """
     way = float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
     closing = np.sqrt(p["v_n"] ** 2 + 2 * p["g"] * p["gap"])
@@ -135,12 +136,13 @@ def _rubbed_off(motion: Motion, step: float, p: Parameters) -> float:
     return float(min(2 * p["mu"], 1.0) * closing * swing / 4 * GOAL.duration / way)
 
 
-def _of_pair(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantity, ...]:
+def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantity, ...]:
     quantities: list[Quantity] = []
     for n, motion in enumerate(motions, 1):
-        second, first = _thrown_off(p, n, step)
+        second, first = _pair_errors(p, n, step)
         way = float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
-        # only friction acts across the line of centres: mu of what acts along it, twice if it turns
+        # only friction acts across the line of centres: mu times the normal force, twice if it
+        # rotates
         for i, (axis, how, part) in enumerate(PARTS):
             share = min(2 * p["mu"], 1.0) ** part / way
             judge = _judge(step, second * share + ROUNDED, first * share + ROUNDED, why=OF_PAIR)
@@ -149,8 +151,8 @@ def _of_pair(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantit
     return tuple(quantities)
 
 
-def _thrown_off(p: Parameters, n: int, step: float) -> tuple[float, float]:
-    """How far [m] the ends of contacts within steps [s], and a load half a step late, throw one."""
+def _pair_errors(p: Parameters, n: int, step: float) -> tuple[float, float]:
+    """Errors of the displacement [m] by ends of contacts within steps [s], and by a late load."""
     light = 1 / _mass(p, p["r1"]), 1 / _mass(p, p["r2"])
     pull, share = p["load"] * sum(light), light[n - 1] / sum(light)
     closing = np.sqrt(p["v_n"] ** 2 + 2 * pull * p["gap"])
@@ -165,12 +167,12 @@ def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
 
 
 def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why = ()) -> Judge:
-    """second, first: bounds at the coarsest step [s]; arm: what half of U/r makes of the force."""
+    """second, first: bounds at the coarsest step [s]; arm: the effect of U/(2 r) on the force."""
     rubbed, late = why or ON_FLOOR
     return Exact({
         Method.EXACT: Tolerance(
             1e-11,
-            "the two routes to the answer agree to 1e-12, over a dozen located events",
+            "two independent routes to the answer agree to 1e-12, over a dozen located events",
         ),
         Method.SECOND_ORDER: Tolerance(second, rubbed, dt=step, order=2, floor=arm),
         Method.FIRST_ORDER: Tolerance(first, late, dt=step, order=1),
@@ -178,24 +180,25 @@ def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why 
 
 
 ON_FLOOR = (
-    "a contact lasts for more than a hundred steps: (k dt)^2/24 = 3e-5 for its swings, as much "
-    "again for each of its ends and those of slip, over four bounces; along the throw both ends of "
-    "a contact may go the same way, of which friction makes its part of the closing speed; codes "
-    "differ by the arm of the shear force, r - U/2 for r, with U/r = 1e-5",
-    "weight and load taken half a step late at the start change the speed v of the first impact "
-    "by g dt/2v, 6e-5, and what follows as much",
+    "a contact lasts for more than a hundred steps: an error of (k dt)^2/24 = 3e-5 for its "
+    "oscillation, and as much for each of its ends and for those of slip, over four bounces. Along "
+    "the throw the errors of both ends of a contact may add, and friction turns them into "
+    "tangential speed. Codes differ in the arm of the shear force, r - U/2 or r, with U/r = 1e-5",
+    "weight and load act half a step late at the start: this changes the speed v of the first "
+    "impact by g dt/2v, 6e-5, and everything after it by as much",
 )
 OF_PAIR = (
-    "each end of a contact lies within a step, and costs up to (k dt)^2/8 of the closing speed, "
-    "k^2 = kn (1/m1 + 1/m2); both ends of one that go the same way are allowed for the whole time",
-    "the load is taken half a step late at the start: the speed of closing lacks a dt/2 for the "
+    "each end of a contact falls within a step, and costs up to (k dt)^2/8 of the closing speed, "
+    "k^2 = kn (1/m1 + 1/m2); the errors of both ends of one contact may add, for the whole time",
+    "the load acts half a step late at the start: the closing speed is too small by a dt/2 for the "
     "whole time, a = P (1/m1 + 1/m2)",
 )
-ROUNDED = 1e-11  # of the way: what a code may be off where nothing pushes
+ROUNDED = 1e-11  # of the displacement: rounding errors where nothing pushes
 PARTS = (("x", "along the initial line of centres", 0), ("y", "across it", 1))
 NOWHERE: Judge = Exact(dict.fromkeys(
     (Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER),
-    Tolerance(1e-12, "no force acts in this direction, or it is locked: rounding only"),
+    Tolerance(1e-12, "no force acts in this direction, or it is locked: only rounding errors "
+              "remain"),
 ))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
 
@@ -215,7 +218,8 @@ VARIANTS = (
         LAW, inert=OF_ONE,
     ),
     Variant(
-        "held", "the same, locked along a level direction in which a load pushes it, spinning back",
+        "held", "the same, locked along a horizontal direction in which a load pushes it, with "
+        "backspin",
         LAW, {"mu": 0.3, "ks": 1.6e10, "v_t": 0.005, "w1": 0.15, "load": 50.0},
         inert=OF_ONE | {"load"},
     ),
@@ -225,7 +229,7 @@ VARIANTS = (
                        "w1": 0.2, "w2": -0.4},
     ),
     Variant(
-        "again", "dead loads press them together: they bounce on each other three times",
+        "again", "dead loads press the spheres together: they bounce on each other three times",
         BOTH, {**PAIR, "load": 26.0},
     ),
 )  # fmt: skip
@@ -234,9 +238,9 @@ CASE = Case(
     title="Bouncing spheres with spin",
     source=Source(
         *LI_2018,
-        "The contact law is that of Eqs. 4-8; bounces and spin are not in the paper. On the "
-        "floor the shear force acts at the radius, between two in the middle of the overlap. "
-        "The spring starts uncharged at every contact.",
+        "The contact law is that of Eqs. 4-8; bounces and spin are not in the paper. On the floor "
+        "the shear force acts at the radius, between two spheres in the middle of the overlap. The "
+        "shear spring starts uncharged at every contact.",
     ),
     parameters=(
         Parameter("rho", 2500.0, "kg/m3", "density"),
@@ -247,11 +251,13 @@ CASE = Case(
         Parameter("mu", 0.5, "", "friction coefficient"),
         Parameter("g", 9.81, "m/s2", "gravity"),
         Parameter("gap", 1e-4, "m", "gap at the start"),
-        Parameter("v_n", 0.0, "m/s", "velocity at the start, towards the floor or the first"),
-        Parameter("v_t", 0.02, "m/s", "velocity at the start, across that"),
-        Parameter("w1", 0.5, "1/s", "spin at the start, of the sphere or the first"),
-        Parameter("w2", 0.0, "1/s", "spin at the start, of the second"),
-        Parameter("load", 0.0, "N", "dead load: along the lock, or on each of two"),
+        Parameter(
+            "v_n", 0.0, "m/s", "initial velocity towards the floor, or towards the first sphere"
+        ),
+        Parameter("v_t", 0.02, "m/s", "initial velocity across that direction"),
+        Parameter("w1", 0.5, "1/s", "initial spin of the sphere, or of the first"),
+        Parameter("w2", 0.0, "1/s", "initial spin of the second sphere"),
+        Parameter("load", 0.0, "N", "dead load: along the lock, or on each of two spheres"),
     ),
     variants=VARIANTS,
     declare=_declare,

@@ -1,4 +1,4 @@
-"""Rows of unlike contacts are sheared to and fro while another sphere passes."""
+"""Rows of unlike contacts are sheared back and forth while another sphere passes."""
 
 from __future__ import annotations
 
@@ -24,16 +24,18 @@ from vv.case import (
 )
 from vv.scene import Contact, Scene, Spheres, Vector
 
-ROWS, APART = 21, 1.5  # m between them: so many spheres that codes list near ones alone
+ROWS, APART = 21, 1.5  # m between them: so many spheres that codes list neighbours only
 RADIUS = np.array([0.3, 0.5, 0.4])  # m: in the middle, held, and at the end of each row
 MASS = np.array([1.0, 4.0, 2.5])  # of m
-THROWN = np.array([1.0, 0.0, -0.6])  # of v, and less from row to row
+THROWN = np.array([1.0, 0.0, -0.6])  # times v, falling from row to row by LESS
 LESS = np.linspace(1.0, 0.5, ROWS)
-PASSING, FAR, LONG = 0.2, 3.5, 8.0  # m: its radius, how far off it is, and how far it goes
+# m: radius of the sphere that passes, its distance and how far it goes
+PASSING, FAR, LONG = 0.2, 3.5, 8.0
 X, Y, Z = np.eye(3)
 MIDDLE, HELD, END = range(3)
 PAIRS = np.array([[MIDDLE, HELD], [MIDDLE, END]])
-SIDES = np.array([1.0, -1.0])  # of the middle, on which they are: so the later number comes first
+# of the middle sphere, on which HELD and END are: the higher number lies at lower x
+SIDES = np.array([1.0, -1.0])
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -50,7 +52,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     path = _path(p, reach)
     swings = np.abs(np.diff(path(np.linspace(0.0, p["duration"], 500)), axis=1)).max()
     if p["ks"] * swings > 0.5 * p["mu"] * p["kn"] * p["overlap"]:
-        raise ValueError(f"v = {p['v']!r} m/s; the contacts come near to slip")
+        raise ValueError(f"v = {p['v']!r} m/s; it is so large that the contacts nearly slip")
     goal = History(p["duration"], p["duration"] / 40)
     times, coarsest = goal.times(None), COARSEST * np.sqrt(p["m"] / p["ks"])
     second = Tolerance(8e-3, AHEAD, dt=coarsest, order=2, floor=1e-6)
@@ -76,9 +78,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _path(p: Parameters, reach: Vector) -> Callable[[Vector], Vector]:
-    """Displacements (k, 3) of the middle one, the one held and the one at the end.
+    """Displacements (k, 3) of the middle sphere, the one held and the one at the end.
 
-    As spheres that move in rows on springs, of which the push of the contact takes its part.
+    The spheres move like a row on springs, whose stiffness the normal force of the contacts
+    reduces.
     """
     order = [HELD, MIDDLE, END]
     stiffness = p["ks"] - p["kn"] * p["overlap"] / reach
@@ -92,8 +95,8 @@ def _path(p: Parameters, reach: Vector) -> Callable[[Vector], Vector]:
 
 
 COARSEST = 0.05  # of sqrt(m/ks)
-OTHERS = "the phase advance per step is that of a leapfrog"
-AHEAD = "the phase of a leapfrog is ahead by (w dt)^2/24, of some 40 radians"
+OTHERS = "the bound is that of the phase of a leapfrog"
+AHEAD = "the phase of a leapfrog is ahead by (w dt)^2/24 of some 40 radians"
 CASE = Case(
     name="passing",
     title="Contacts sheared while another sphere passes",
@@ -101,25 +104,26 @@ CASE = Case(
         "Cundall and Strack (1979), A discrete numerical model for granular assemblies, "
         "Geotechnique 29(1), 47-65",
         "10.1680/geot.1979.29.1.47",
-        "Their shear springs, which do not slip here. The sphere that passes touches nothing; it "
-        "goes so far that codes look for neighbours anew many times, and what each contact has "
-        "been sheared by must stay with its own pair. Across the springs the push kn d of a "
-        "contact of length L takes kn d/L from ks.",
+        "The shear springs are theirs, and do not slip here. The sphere that passes touches "
+        "nothing. It goes so far that codes update their neighbour lists many times, and each "
+        "contact must keep its own shear displacement. Across the springs the normal force kn d of "
+        "a contact of length L reduces ks by kn d/L.",
     ),
     parameters=(
-        Parameter("m", 1.0, "kg", "mass of a sphere in the middle, and of the one that passes"),
+        Parameter("m", 1.0, "kg", "mass of a middle sphere, and of the one that passes"),
         Parameter("kn", 2e4, "N/m", "normal contact stiffness"),
         Parameter("ks", 1e4, "N/m", "shear contact stiffness"),
         Parameter("mu", 1.0, "", "friction coefficient"),
-        Parameter("overlap", 1e-4, "m", "of both contacts"),
-        Parameter("v", 1e-3, "m/s", "speed of the first middle sphere at the start"),
+        Parameter("overlap", 1e-4, "m", "overlap of both contacts"),
+        Parameter("v", 1e-3, "m/s", "initial speed of the first middle sphere"),
         Parameter("duration", 0.25, "s", "time simulated"),
     ),
     variants=(
         Variant(
-            "sheared", "rows of three, of which one is held; no sphere can turn",
+            "sheared", "rows of three spheres, one of which is held; no sphere can rotate",
             "M u'' + K u = 0 across the contacts, exactly in its modes", inert=frozenset({"mu"}),
-            unseen=dict.fromkeys(("kn", "overlap"), "the push takes 3e-4 of what shear springs do"),
+            unseen=dict.fromkeys(("kn", "overlap"), "normal forces reduce the stiffness of the "
+                                 "shear springs by 3e-4 only"),
         ),
     ),
     declare=_declare,

@@ -88,14 +88,14 @@ def _scene(variant: str, p: Parameters) -> tuple[Scene, int, Vector]:
     if change == "swapped":
         return with_bodies_reversed(scene), 0, scene.axes[1]
     if change == "free":
-        scene = _let_go(scene)
+        scene = _unlocked(scene)
     if change == "rotated":
         scene = rotated(scene, rotation_about_z(ANGLE))
     return scene, 1, scene.axes[1]
 
 
-def _let_go(scene: Scene) -> Scene:
-    """The scene without locks on the moving body; a dead load keeps its contact closed instead."""
+def _unlocked(scene: Scene) -> Scene:
+    """The scene without locks on the moving body, where a dead load keeps its contact closed."""
     free = np.array([body.any() for body in scene.spheres.free])[:, None] & np.ones(3, bool)
     load = np.where(free, -initial_normal_forces(scene), 0.0)
     let_go = dataclasses.replace(scene.spheres, free=free, load=load)
@@ -127,7 +127,7 @@ LEVELS = {Level.QUICK: RUNGS[1:5:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 
 
 def _judge(test: str, p: Parameters) -> Exact:
-    """By the rate k of the spring and n of the drag [1/s], over the step."""
+    """The bounds from the rates k of the spring and n of the drag [1/s], over the step."""
     mass = closed.mass(p["rho"], p["r"])
     k = np.sqrt(p["kn" if test in ("T1", "T2") else "ks"] / mass)
     n = p["eta"] / (2 * mass) if test in ("T2", "T4") else 0.0
@@ -135,9 +135,10 @@ def _judge(test: str, p: Parameters) -> Exact:
     return Exact({
         Method.EXACT: Tolerance(
             1e-13 + (SHALLOW * _rounding(p) if test in ("T3", "T4") else 0.0),
-            "rounding errors of about a hundred operations, eps = 2.2e-16 each; in T3 and T4 also "
-            "that of the overlap, which is a difference of coordinates as large as r: eps r/dx "
-            "of the limit of friction, times 1 + sqrt 2 of the largest displacement at most",
+            "rounding errors of about a hundred operations, eps = 2.2e-16 each. In T3 and T4 the "
+            "overlap is rounded too, as a difference of coordinates as large as r: an error of eps "
+            "r/dx of the limit of friction, and of at most 1 + sqrt 2 times that of the largest "
+            "displacement",
             slack="T1 and T2 are exact to a few eps, T3 and T4 where coordinates are round",
         ),
         Method.SECOND_ORDER: Tolerance(
@@ -150,9 +151,9 @@ def _judge(test: str, p: Parameters) -> Exact:
         ),
         Method.FIRST_ORDER: Tolerance(
             float(min(max(3.6 * n, 0.5 * k) * STEP, LARGEST_TOLERANCE)),
-            "drag half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s, and a start "
-            "half a step late the velocity by as much, or by a part of k dt; both add up over the "
-            "three stages of T4",
+            "drag that is half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s; a "
+            "start half a step late changes the velocity by as much, or by a part of k dt. Both "
+            "errors add up over the three stages of T4",
             dt=STEP,
             order=1,
             slack="a dead load lowers a scheme to first order; where it only balances the contact, "
@@ -162,7 +163,7 @@ def _judge(test: str, p: Parameters) -> Exact:
 
 
 def _rounding(p: Parameters) -> float:
-    """What part of the overlap rounding of the coordinates is."""
+    """The rounding error of the coordinates over the overlap."""
     dx = closed.overlap(**{name: p[name] for name in OVERLAP})
     return float(np.finfo(float).eps) * p["r"] / dx
 
@@ -212,13 +213,13 @@ WORDS = {
 INERT = {
     "T1": frozenset({"ks", "mu", "eta", "v_b"}),
     "T2": frozenset({"ks", "mu", "v_b"}),
-    "T3": frozenset({"v_a", "kn", "mu"}),  # dx is made such that y1 = mu kn dx/ks stays
+    "T3": frozenset({"v_a", "kn", "mu"}),  # dx is chosen such that y1 = mu kn dx/ks stays
     "T4": frozenset({"v_a", "kn", "mu"}),
 }
 CHANGES: tuple[tuple[str, str, Parameters], ...] = (
-    ("mirrored", "thrown the other way", {"v_b": -1.0}),
+    ("mirrored", "initial velocity in the opposite direction", {"v_b": -1.0}),
     ("swapped", "bodies in the opposite order", {}),
-    ("free", "no direction locked: a dead load keeps the contact closed", {}),
+    ("free", "no direction is locked: a dead load keeps the contact closed", {}),
     ("rotated", f"the whole scene rotated by {ANGLE} rad", {}),
 )
 CASE = Case(

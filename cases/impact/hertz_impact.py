@@ -59,7 +59,7 @@ def _approach(pair: bool, kind: type[Displacement] | type[Velocity], run: Run) -
     return np.asarray(run.values[kind(1)] @ X - away if pair else -away)
 
 
-def _top(rows: Vector) -> float:
+def _smooth_maximum(rows: Vector) -> float:
     """The largest value of smooth data, from the parabola through the three largest."""
     i = int(np.clip(rows.argmax(), 1, len(rows) - 2))
     before, at, after = rows[i - 1 : i + 2]
@@ -67,14 +67,14 @@ def _top(rows: Vector) -> float:
     return float(at - 0.125 * (after - before) ** 2 / bend) if bend < 0 else float(at)
 
 
-def _slowing(pair: bool, run: Run) -> Vector:
+def _deceleration(pair: bool, run: Run) -> Vector:
     """The rate at which the approach slows down, by differences of fourth order."""
     speed, each = _approach(pair, Velocity, run), run.times[1] - run.times[0]
     near, far = speed[3:-1] - speed[1:-3], speed[4:] - speed[:-4]
     return np.asarray(-(8.0 * near - far) / (12.0 * each))
 
 
-def _parting(pair: bool, run: Run) -> float:
+def _separation(pair: bool, run: Run) -> float:
     """The time of separation, from the distance and the speed of the bodies at the end."""
     gap, speed = (_approach(pair, kind, run)[-1] for kind in (Displacement, Velocity))
     return float(run.times[-1] - gap / speed) if speed < 0 else float("nan")
@@ -95,9 +95,15 @@ def _declare(variant: str, p: Parameters) -> Trial:
         functools.partial(hertz.overlap, **law), judge,
     )  # fmt: skip
     figures = {
-        "deepest": (lambda run: _top(_approach(pair, Displacement, run)), hertz.deepest(**law)),
-        "force": (lambda run: law["m"] * _top(_slowing(pair, run)), hertz.largest_force(**law)),
-        "lasting": (lambda run: _parting(pair, run), unit),
+        "deepest": (
+            lambda run: _smooth_maximum(_approach(pair, Displacement, run)),
+            hertz.deepest(**law),
+        ),
+        "force": (
+            lambda run: law["m"] * _smooth_maximum(_deceleration(pair, run)),
+            hertz.largest_force(**law),
+        ),
+        "lasting": (lambda run: _separation(pair, run), unit),
     }
     scalars = [
         Scalar(name, symbol, unit_of, meaning, *figures[name], figures[name][1], judge)

@@ -70,8 +70,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     impacts = Impacts(sphere, contact(variant, p), blows)
     ladder, exact = struck(impacts, p["v"])
     quantities = list(exact)
-    quantities += [_kept(variant, impacts, angle) for angle in KEPT]
-    quantities += [_rebound(variant, impacts, angle) for angle in REBOUND]
+    quantities += [_restitution(variant, impacts, angle) for angle in KEPT]
+    quantities += [_rebound_angle(variant, impacts, angle) for angle in REBOUND]
     quantities += [_spin(impacts, angle) for angle in SPIN]
     return Trial(ladder, tuple(quantities))
 
@@ -94,7 +94,7 @@ def struck(impacts: Impacts, v: float) -> tuple[Ladder, tuple[Quantity, ...]]:
     return Ladder(impacts.scene(), goal, impacts.seen(), levels), exact
 
 
-def _kept(variant: str, impacts: Impacts, angle: float) -> Scalar:
+def _restitution(variant: str, impacts: Impacts, angle: float) -> Scalar:
     """The tangential restitution at an angle [degrees]."""
     name = f"{angle:g}"
     seen = Measurement(
@@ -109,7 +109,7 @@ def _kept(variant: str, impacts: Impacts, angle: float) -> Scalar:
     )  # fmt: skip
 
 
-def _rebound(variant: str, impacts: Impacts, angle: float) -> Scalar:
+def _rebound_angle(variant: str, impacts: Impacts, angle: float) -> Scalar:
     """The angle of rebound [degrees] at an angle of impact."""
     name = f"{angle:g}"
     seen = Measurement(

@@ -90,7 +90,7 @@ def _dropped(bounces: int, p: Parameters) -> Setting:
     )  # fmt: skip
 
 
-def _pressed(p: Parameters) -> Setting:
+def _pressed_pair(p: Parameters) -> Setting:
     """Two spheres between two walls."""
     masses = _mass(p) * np.array([1.0, p["rho2"] / p["rho"]])
     start = p["h"], p["h2"]
@@ -163,7 +163,7 @@ def _sinking(p: Parameters) -> Setting:
 KINDS: dict[str, Callable[[Parameters], Setting]] = {
     "dem01": functools.partial(_dropped, 1),
     "dem02": functools.partial(_dropped, 5),
-    "dem03": _pressed,
+    "dem03": _pressed_pair,
     "dem04": _slipping,
     "dem06": _sinking,
 }

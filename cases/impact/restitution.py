@@ -55,7 +55,7 @@ def _contact(kind: str, p: Parameters) -> Contact:
     return Contact(kn, eta_n=2.0 * spring.damping(p["e"]) * math.sqrt(kn * mass(p)))
 
 
-def _due(kind: str, p: Parameters) -> dict[str, float]:
+def _exact_values(kind: str, p: Parameters) -> dict[str, float]:
     """The exact figures by name."""
     if kind == "hertz":
         elastic, z = _elastic(p), viscous.damping(p["e"])
@@ -74,7 +74,7 @@ def _due(kind: str, p: Parameters) -> dict[str, float]:
     }
 
 
-def _top(rows: Vector) -> float:
+def _smooth_maximum(rows: Vector) -> float:
     """The largest value of smooth data, from the parabola through the three largest."""
     i = int(np.clip(rows.argmax(), 1, len(rows) - 2))
     before, at, after = rows[i - 1 : i + 2]
@@ -82,7 +82,7 @@ def _top(rows: Vector) -> float:
     return float(at - 0.125 * (after - before) ** 2 / bend) if bend < 0 else float(at)
 
 
-def _deepest(run: Run) -> float:
+def _largest_overlap(run: Run) -> float:
     """The largest overlap [m], interpolated by positions and velocities at outputs."""
     from scipy.interpolate import CubicHermiteSpline
 
@@ -95,10 +95,10 @@ def _force(p: Parameters, run: Run) -> float:
     """The largest force [N], from the deceleration of the sphere by fourth-order differences."""
     speed, each = run.values[Velocity(0)] @ X, run.times[1] - run.times[0]
     near, far = speed[3:-1] - speed[1:-3], speed[4:] - speed[:-4]
-    return mass(p) * _top(((8.0 * near - far) / (12.0 * each))[STARTS:])
+    return mass(p) * _smooth_maximum(((8.0 * near - far) / (12.0 * each))[STARTS:])
 
 
-def _cleared(run: Run) -> float:
+def _end_of_overlap(run: Run) -> float:
     """The time at which the overlap ends, extrapolated back from the end of the run."""
     way, speed = (float((run.values[kind(0)] @ X)[-1]) for kind in (Displacement, Velocity))
     return float(run.times[-1]) - way / speed if speed > 0 and way > 0 else math.nan
@@ -118,7 +118,7 @@ def _scene(kind: str, p: Parameters) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     kind = variant.partition("-")[0]
-    due, unit = _due(kind, p), hertz.contact_time(**_elastic(p))
+    due, unit = _exact_values(kind, p), hertz.contact_time(**_elastic(p))
     interval = unit / SEEN
     goal = History(interval * math.ceil(LASTS * due["cleared"] / interval), interval)
     steps = (*STEPS, LOSSY) if p["e"] < 1.0 else STEPS
@@ -126,8 +126,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     read: dict[str, Callable[[Run], float]] = {
         "restitution": lambda run: float((run.values[Velocity(0)] @ X)[-1]) / p["v"],
-        "deepest": _deepest,
-        "cleared": _cleared,
+        "deepest": _largest_overlap,
+        "cleared": _end_of_overlap,
         "force": functools.partial(_force, p),
     }
     z = viscous.damping(p["e"])

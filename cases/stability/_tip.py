@@ -1,4 +1,4 @@
-"""A pyramid on its tip, which swings on the one spring that stands for its contact."""
+"""A pyramid on its tip, which oscillates on the one spring that represents its contact."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ PARAMETERS = (
 
 
 def scene(p: Parameters) -> Scene:
-    """The pyramid, which keeps upright: one point of contact, pressed by its weight."""
+    """The pyramid, which stays upright: one point of contact, pressed by its weight."""
     _, inertia = polyhedron_inertia(TIP, FACES, p["m"] / (1 / 3))
     block = Block(
         "block", TIP, FACES, p["m"], inertia,
@@ -29,8 +29,10 @@ def scene(p: Parameters) -> Scene:
 
 
 def frequency(p: Parameters) -> float:
-    """Of its swing [1/s]; raises ValueError for a start by which the tip would leave."""
+    """The frequency of its oscillation [1/s]; raises ValueError if the tip lifts off."""
     w = float(np.sqrt(p["kn"] / p["m"]))
     if not p["v"] * w < p["g"]:
-        raise ValueError(f"v = {p['v']!r} m/s; from g/w = {p['g'] / w:.6g} m/s on, it leaves")
+        raise ValueError(
+            f"v = {p['v']!r} m/s; from g/w = {p['g'] / w:.6g} m/s on, the tip lifts off"
+        )
     return w

@@ -1,4 +1,4 @@
-"""A hundred spheres in a row on a base: modes, speed of a pulse, reflection at a jump of mass."""
+"""A hundred spheres in a row on a base: modes, pulse speed and reflection at a jump of mass."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
 N, RADIUS = 100, 0.1  # spheres; m, which does not enter the answer
 X = np.array([1.0, 0.0, 0.0])
-NEAR, FAR = 25, 75  # the spheres watched, of which one lies before and one beyond the jump
-CROSSED = 100.0  # 1/w0 = sqrt(m/kn): how long a wave takes to go along the chain
+NEAR, FAR = 25, 75  # the spheres that are observed: one before the jump, one beyond it
+CROSSED = 100.0  # times 1/w0 = sqrt(m/kn): the time in which a wave crosses the chain
 WIDTH = 8.0  # spheres: the width of a pulse
 COARSE = 0.2  # w0 dt
 Measure = Callable[[Vector, Vector], float]
@@ -54,27 +54,29 @@ def _scene(p: Parameters, thrown: Vector, masses: Vector) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if not 0 < p["part"] < 0.2:
-        raise ValueError(f"part = {p['part']!r}; beyond 0.2 contacts may open")
+        raise ValueError(
+            f"part = {p['part']!r}; it must be between 0 and 0.2, beyond which contacts may open"
+        )
     kind, _, mode = variant.partition("-")
     return _mode(int(mode), p) if kind == "mode" else _pulse(p)
 
 
 def _mode(j: int, p: Parameters) -> Trial:
-    """The chain thrown in the shape of a mode, in which it stays."""
+    """The chain with initial velocities in the shape of a mode, in which it stays."""
     w, shape = closed.frequency(j, N, p["m"], p["kn"]), closed.shape(j, N)
     scene = _scene(p, p["part"] * p["load"] / p["kn"] * w * shape, np.full(N, p["m"]))
     seen = Velocity(int(np.argmax(np.abs(shape))) + 1)
     levels = _levels(p)
     frequency = Scalar(
         "frequency", f"w/w_{j}", "", "frequency from the outputs, over that of the mode",
-        lambda run: _rate(run, seen) / w, 1.0, 1.0,
+        lambda run: _observed_frequency(run, seen) / w, 1.0, 1.0,
         _judge((w * _coarsest(p)) ** 2 / 24, _coarsest(p), TURNS),
     )  # fmt: skip
     return Trial(Ladder(scene, History(12.0 / w, 1.0 / w), (seen,), levels), (frequency,))
 
 
-def _rate(run: Run, seen: Observable) -> float:
-    """Frequency of what obeys v_(n+1) + v_(n-1) = 2 cos(w dt) v_n at equal intervals."""
+def _observed_frequency(run: Run, seen: Observable) -> float:
+    """The frequency of data that obey v_(n+1) + v_(n-1) = 2 cos(w dt) v_n at equal intervals."""
     v = run.values[seen] @ X
     inner = v[1:-1]
     cosine = float(inner @ (v[2:] + v[:-2]) / (2 * inner @ inner))
@@ -82,7 +84,7 @@ def _rate(run: Run, seen: Observable) -> float:
 
 
 def _pulse(p: Parameters) -> Trial:
-    """The chain thrown near its base: one pulse goes along it, and a part of it comes back."""
+    """The chain with initial velocities near its base: a pulse runs along it, a part returns."""
     place = np.arange(1.0, N + 1.0)
     w0 = math.sqrt(p["kn"] / p["m"])
     shape = place / WIDTH * np.exp(-((place / WIDTH) ** 2))
@@ -110,12 +112,12 @@ def _pulse(p: Parameters) -> Trial:
 
     returned = Scalar(
         "returned", "R^2", "", "energy that returns past sphere 25, over the energy sent",
-        *measured(_returned), 1.0, _judge(RETURNED[p["jump"] != 1], _coarsest(p), PASSED),
+        *measured(_returned_energy), 1.0, _judge(RETURNED[p["jump"] != 1], _coarsest(p), PASSED),
     )  # fmt: skip
     quantities: tuple[Quantity, ...] = (part(0, NEAR), part(1, FAR), returned)
     if p["jump"] == 1.0:
         speed = Scalar(
-            "speed", "c/w0", "", "number of spheres that the middle of the pulse passes in 1/w0",
+            "speed", "c/w0", "", "number of spheres that the centre of the pulse passes in 1/w0",
             *measured(lambda t, v: _speed(t, v) / w0), 1.0, _judge(4e-4, _coarsest(p), SPREADS),
         )  # fmt: skip
         quantities = (*quantities, speed)
@@ -126,15 +128,15 @@ def _seen(run: Run, seen: tuple[Observable, ...]) -> Vector:
     return np.stack([run.values[what] @ X for what in seen], axis=1)
 
 
-def _returned(t: Vector, v: Vector) -> float:
-    """From the velocities (k, 2): the sums of squares before and after half of the time."""
+def _returned_energy(t: Vector, v: Vector) -> float:
+    """The sum of squared velocities (k, 2) after half of the time, over that before."""
     late = t > t[-1] / 2
     squares = v[:, 0] ** 2
     return float(squares[late].sum() / squares[~late].sum())
 
 
 def _speed(t: Vector, v: Vector) -> float:
-    """Spheres a second, from the mean times at which the energy passes the two watched."""
+    """Spheres per second, from the mean times at which energy passes the two that are observed."""
     near, far = (t @ v**2 / (v**2).sum(axis=0)).tolist()
     return float((FAR - NEAR) / (far - near))
 
@@ -149,7 +151,7 @@ def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
 
 
 def _judge(bound: float, coarsest: float, reason: str) -> Exact:
-    """bound: at the coarsest step [s]; rounding of places leaves a part 1e-5 of most of them."""
+    """bound: at the coarsest step [s]; rounding of positions leaves 1e-5 of most bounds."""
     floor = min(1e-8, bound / 20)
     second = Tolerance(1.05 * bound, reason, dt=coarsest, order=2, floor=floor)
     first = Tolerance(1.05 * bound, BALANCED + reason, dt=coarsest, order=2, floor=floor)
@@ -161,15 +163,16 @@ def _judge(bound: float, coarsest: float, reason: str) -> Exact:
 
 
 OTHERS = "the phase advance of waves per step is that of a leapfrog"
-BALANCED = "the load balances the contacts at the start, and costs no order; "
+BALANCED = "the load only balances the contacts at the start, and does not lower the order; "
 TURNS = "the phase of a leapfrog is too fast by (w dt)^2/24"
 LATE = (
-    "waves of a phase q a sphere are ahead by (q w0 dt)^2/24 of the q x they have gone: a pulse of "
-    "eight spheres, mostly q < 0.25, by 1e-3 of a radian and of its size at w0 dt = 0.2"
+    "waves with a phase of q per sphere are ahead by (q w0 dt)^2/24 of the distance q x: a pulse "
+    "of eight spheres, mostly with q < 0.25, by 1e-3 radians, and by as much of its size, at w0 dt "
+    "= 0.2"
 )
 PASSED = "the reflected part depends on the phase per sphere, whose error is (w dt)^2/24"
 RETURNED = (5e-10, 2e-6)  # without a jump and with one
-SPREADS = "a leapfrog's waves go faster by (w dt)^2/8, 3e-4 at the phase 0.25 a sphere"
+SPREADS = "waves in a leapfrog are faster by (w dt)^2/8, 3e-4 at a phase of 0.25 per sphere"
 MODE = "w_j = 2 sqrt(kn/m) sin((2j - 1) pi/(2 (2N + 1))), N = 100"
 WAVE = "m_i u_i'' = kn (u_(i-1) - 2 u_i + u_(i+1)), u_0 = 0, v_i(0) ~ i exp(-(i/8)^2); "
 CASE = Case(
@@ -180,7 +183,7 @@ CASE = Case(
         "",
         "The springs are contacts, which a load on the last sphere keeps closed; the base is fixed "
         "and the other end free. At a jump of the mass |R| = |sin((q - Q)/2)/sin((q + Q)/2)|, with "
-        "the phases a sphere q before it and Q beyond.",
+        "the phase per sphere q before it and Q beyond it.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass of a sphere"),
@@ -191,7 +194,7 @@ CASE = Case(
     ),
     variants=(
         *(
-            Variant(f"mode-{j}", f"thrown in mode {j} of 100", MODE,
+            Variant(f"mode-{j}", f"initial velocities in the shape of mode {j} of 100", MODE,
                     inert=frozenset({"jump", "load", "part"}))
             for j in (3, 50, 100)
         ),

@@ -1,4 +1,4 @@
-"""A block oscillates on its contact in steps of second order that damp what they do not resolve."""
+"""A block oscillates on its contact with steps of second order that damp unresolved motion."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from vv.case import (
 MOVED, MOVING = Displacement(1), Velocity(1)
 ANGLES = {"resolved": (0.1, 0.3, 1.0), "unresolved": (3.0, 10.0, 30.0)}
 RADIUS = 0.5  # at an infinite angle: that of the class
-STEPS = 12  # of the largest step of a variant
-NOISE = 1e-11  # of what is fitted: two roots tell a third by no more
-LAST = 4.5e-12  # by which rounding may move the roots at the largest angle
-FADED = 1e-6  # of the first swing: what has faded more is rounding
+STEPS = 12  # in the largest steps of a variant
+NOISE = 1e-11  # relative to the fitted data: two roots explain a third one only to this
+LAST = 4.5e-12  # effect of rounding on the roots at the largest angle
+FADED = 1e-6  # of the first oscillation: what has decayed further is rounding
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -38,7 +38,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     rungs = tuple(Knobs(one, p["kn"]) for one in dt[::-1])
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
     study = Ladder(scene(p), History(STEPS * dt[-1], dt[0]), (MOVED, MOVING), levels)
-    judge = _judge(RESOLVED if variant == "resolved" else _drawn_together(dt[-1]))
+    judge = _judge(RESOLVED if variant == "resolved" else _close_roots(dt[-1]))
     radius = _over_theory(
         "radius", "rho/rho_O", "factor by which a step multiplies an oscillation",
         w, abs, theory.spectral_radius, judge,
@@ -48,7 +48,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         "T/T_O",
         "period of an oscillation in steps",
         w,
-        _turns,
+        _steps_per_radian,
         theory.slowing,
         judge,
         1.0,
@@ -66,7 +66,7 @@ def _over_theory(
     judge: Exact,
     power: float = 0.0,
 ) -> Scalar:
-    """What the root of a run's step says, over what it should at its angle w dt."""
+    """The value from the root of a run's step, over that of theory at its angle w dt."""
 
     def observe(run: Run) -> float:
         angle = w * float(run.times[1])
@@ -75,16 +75,16 @@ def _over_theory(
     return Scalar(name, symbol, "", f"{meaning}, over theory", observe, 1.0, 1.0, judge)
 
 
-def _turns(root: complex) -> float:
-    """Steps to a radian; none of what does not turn."""
+def _steps_per_radian(root: complex) -> float:
+    """Steps per radian; zero for a root that does not rotate."""
     return 1.0 / cmath.phase(root) if root.imag else 0.0
 
 
 def _root(run: Run, w: float) -> complex:
     """The root of largest imaginary part of the recurrence over three outputs, fitted.
 
-    What a step makes of places, velocities and accelerations has three roots; the first output is
-    left out, since the acceleration of a start need not be told.
+    A step maps positions, velocities and accelerations, and has three roots. The first output is
+    left out, since a code need not report the initial acceleration.
     """
     both = w * (run.values[MOVED] @ Z)[1:], (run.values[MOVING] @ Z)[1:]
     size = np.hypot(*both)
@@ -96,19 +96,19 @@ def _root(run: Run, w: float) -> complex:
 
 
 OTHERS = "the step of this class has another damping; implicit-swing judges that of DDA"
-RIGID = "rigid contact has no spring: the block is thrown up, falls, and stays down"
+RIGID = "rigid contact has no spring: the block rises, falls, and stays on its base"
 RESOLVED = Tolerance(1e-12, "the step is a linear map, fitted to a dozen outputs")
 
 
-def _drawn_together(dt: float) -> Tolerance:
-    """What rounding leaves of roots that are the nearer to each other, the larger the angle.
+def _close_roots(dt: float) -> Tolerance:
+    """The effect of rounding on roots, which are closer to each other the larger the angle.
 
     dt: the largest step [s], of w dt = 30. The product of a root's distances from the other two is
     0.38 at w dt = 10 and 0.085 at 30: the same rounding moves it 4.5 times as far.
     """
     reason = (
-        "the step is a linear map, fitted to a dozen outputs; its three roots draw together as "
-        "w dt grows, so that rounding moves them further"
+        "the step is a linear map, fitted to a dozen outputs; its three roots approach each other "
+        "as w dt grows, so that rounding moves them further"
     )
     return Tolerance(LAST, reason, dt=dt, order=1, floor=RESOLVED.value)
 
@@ -123,7 +123,8 @@ def _judge(tolerance: Tolerance) -> Exact:
     )
 
 
-LINEAR = frozenset({"g", "v"})  # a linear map knows no size, and weight only shifts it
+# a linear map does not depend on the amplitude, and weight only shifts it
+LINEAR = frozenset({"g", "v"})
 CUBIC = (
     "(1 - am) a+ + am a = -w^2 ((1 - af) x+ + af x), x+ = x + v dt + dt^2 ((1/2 - b) a + b a+), "
     "v+ = v + dt ((1 - c) a + c a+); am = 0, af = 1/3, b = 4/9, c = 5/6"
@@ -136,8 +137,8 @@ CASE = Case(
         "improved numerical dissipation: the generalized-alpha method, Journal of Applied "
         "Mechanics 60(2), 371-375",
         "10.1115/1.2900803",
-        "The step is theirs, with a spectral radius of 1/2 at infinite w dt. Contact is rigid; the "
-        "penalty spring that stands in for it swings.",
+        "The step is theirs, with a spectral radius of 1/2 at infinite w dt. Contact is rigid; "
+        "what oscillates is the penalty spring that represents it.",
     ),
     parameters=PARAMETERS,
     variants=(

@@ -27,8 +27,8 @@ from vv.case import (
 from vv.scene import Vector
 
 MOVED, MOVING = Displacement(1), Velocity(1)
-STEPS = 8  # of the largest step of a variant
-FADED = 1e-6  # of the first swing: what has faded more is rounding
+STEPS = 8  # in the largest steps of a variant
+FADED = 1e-6  # of the first oscillation: what has decayed further is rounding
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -59,7 +59,7 @@ def _over_theory(
     due: Callable[[float], float],
     judge: Exact,
 ) -> Scalar:
-    """What the roots of a run's step say, over what they should at its w dt."""
+    """The value from the roots of a run's step, over that of theory at its w dt."""
     observe = lambda run: seen(_roots(run, w)) / due(w * float(run.times[1]))  # noqa: E731
     return Scalar(name, symbol, "", meaning, observe, 1.0, 1.0, judge)
 
@@ -85,7 +85,7 @@ def _radius(roots: Vector) -> float:
 
 
 def _damping(roots: Vector) -> float:
-    """That of the motion with these roots; what is at rest after a step has all there can be."""
+    """The damping ratio of motion with these roots; 1 for motion that ends within a step."""
     one = complex(roots[0])
     rate = cmath.log(one) if one else -1.0
     return -rate.real / abs(rate)
@@ -96,9 +96,9 @@ ANGLES = {
     "near-four": (1.0, 2.0, 3.0, 3.9),
     "real": (4.1, 10.0, 1e2, 1e3, 1e4),
 }
-OTHERS = "rigid contact has no spring: the block is thrown up, falls, and stays down"
+OTHERS = "rigid contact has no spring: the block rises, falls, and stays on its base"
 SHOWN = dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS)
-SHOWN[Method.DAMPED] = "this class has another step, which damped-swing judges"
+SHOWN[Method.DAMPED] = "this class integrates by another scheme, which the case damped-swing judges"
 BOTH = (Method.PENALTY, Method.LAGGING)
 RADIUS = Exact(
     dict.fromkeys(BOTH, Tolerance(1e-12, "the step is a linear map, fitted to eight outputs")),
@@ -107,8 +107,8 @@ RADIUS = Exact(
 TOLD = {
     "complex": Tolerance(
         1e-7,
-        "the damping ratio is w dt/4; at w dt = 1e-3 a step decays by its square, which costs six "
-        "digits",
+        "the damping ratio is w dt/4; at w dt = 1e-3 the decay in a step is of the square of that, "
+        "which costs six digits",
     ),
     "near-four": Tolerance(1e-12, "the step is a linear map, fitted to eight outputs"),
 }
@@ -116,19 +116,20 @@ DAMPING = {
     variant: Exact(dict.fromkeys(BOTH, told), not_judged=SHOWN) for variant, told in TOLD.items()
 }
 RINGS = Shown(
-    "beyond w dt = 4 it is real and negative, and tends to -1: a stiff contact is no longer damped "
-    "but rings at every other step"
+    "beyond w dt = 4 this root is real and negative, and tends to -1: a stiff contact is no longer "
+    "damped, and changes sign at every step"
 )
-LINEAR = frozenset({"g", "v"})  # a linear map knows no size, and weight only shifts it
+# a linear map does not depend on the amplitude, and weight only shifts it
+LINEAR = frozenset({"g", "v"})
 ROOTS = "2 (x+ - x - v dt)/dt^2 = -w^2 x+, v+ = 2 (x+ - x)/dt - v; "
 CASE = Case(
     name="implicit-swing",
     title="Numerical damping of implicit steps",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "The step is Eq. 5, corrected: d'' = (2/D^2)(d - D v0). Its roots are not in the paper. "
-        "They say why contacts that the step does not resolve neither blow up nor come to rest. "
-        "Contact is rigid; the penalty spring that stands in for it swings.",
+        "The step is Eq. 5, corrected: d'' = (2/D^2)(d - D v0). The paper does not give its roots, "
+        "which explain why contacts that the step does not resolve neither diverge nor come to "
+        "rest. Contact is rigid; what oscillates is the penalty spring that represents it.",
     ),
     parameters=PARAMETERS,
     variants=(

@@ -49,20 +49,21 @@ def _declare(variant: str, p: Parameters) -> Trial:
         study,
         (
             Scalar("way", "d/d_N", "", "displacement of the block over that of damped steps",
-                   lambda run: _way(run) / due(run), 1.0, 1.0, _stepped(p["dd"])),
-            Scalar("d", "d", "m", "way of the block", _way, None, 1.0, Shown(VANISHES)),
+                   lambda run: _displacement(run) / due(run), 1.0, 1.0, _summed_bounds(p["dd"])),
+            Scalar("d", "d", "m", "displacement of the block", _displacement, None, 1.0,
+                   Shown(VANISHES)),
             Scalar("of a t^2/2", "2d/at^2", "", "displacement of the block over the right one",
-                   lambda run: _way(run) / whole, None, 1.0, Shown(VANISHES)),
+                   lambda run: _displacement(run) / whole, None, 1.0, Shown(VANISHES)),
         ),
     )  # fmt: skip
 
 
-def _way(run: Run) -> float:
+def _displacement(run: Run) -> float:
     return float(run.values[BLOCK][-1] @ X)
 
 
-def _stepped(dd: float) -> Exact:
-    """To rounding, of which a step leaves some in a velocity that so many steps hand on."""
+def _summed_bounds(dd: float) -> Exact:
+    """The bounds: a velocity that steps pass on keeps the rounding error of each of them."""
     handed_on = min(1.0 / STEPS[-1], 1.0 / (1.0 - dd)) if dd < 1.0 else 1.0 / STEPS[-1]
     summed = Tolerance(1e-12 + EPS * handed_on, SUMMED)
     return Exact(
@@ -72,16 +73,16 @@ def _stepped(dd: float) -> Exact:
 
 EPS = float(np.finfo(float).eps)
 SUMMED = (
-    "the sum of the steps in closed form; what is left is the rounding of velocities, of which "
-    "each step hands on dd: 1/(1 - dd) of them add up"
+    "the reference is the sum of the steps in closed form. Rounding errors of velocities remain, "
+    "of which each step passes on the part dd: 1/(1 - dd) of them add up"
 )
 LEAPS = (
-    "schemes of first order may hand on the velocity of a step's middle: damped leaps go "
-    "2/(1 + r) times as far"
+    "schemes of first order may pass on the velocity in the middle of a step: with damping they "
+    "move 2/(1 + r) times as far"
 )
 VANISHES = (
-    "under damping the velocity ends at a dt r/(1 - r), so the way vanishes with the step: a t "
-    "dt (1 + r)/(2 (1 - r)), where a t^2/2 is right"
+    "with damping the velocity tends to a dt r/(1 - r), so that the displacement vanishes with the "
+    "step: a t dt (1 + r)/(2 (1 - r)), where a t^2/2 is right"
 )
 WAY = "d_N = a dt^2 (N/2 + r/(1-r) (N - (1-r^N)/(1-r)))"
 CASE = Case(
@@ -89,9 +90,9 @@ CASE = Case(
     title="Kinetic damping",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "Sec. 5.2.2, Fig. 25: the way of a mass under constant force with 3 % kinetic damping, "
-        "dynamic parameter 0.97. The force is not given: 1 m/s2 for 1 s is chosen. Codes whose "
-        "steps hand on all velocity refuse.",
+        "Sec. 5.2.2, Fig. 25: the displacement of a mass under constant force with 3 % kinetic "
+        "damping, a dynamic parameter of 0.97. The force is not given: 1 m/s2 for 1 s is chosen. "
+        "Codes whose steps pass on all of the velocity refuse.",
     ),
     parameters=(
         Parameter("dd", 0.97, "", "fraction of the velocity that is kept from step to step, r"),

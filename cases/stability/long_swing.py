@@ -1,4 +1,4 @@
-"""T1's spring bound both ways: a swing without loss over thousands of periods."""
+"""T1's spring bound both ways: an oscillation without loss over thousands of periods."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ from vv.scene import Bonds, Contact, Scene, Spheres, Vector, Wall
 MOVED, MOVING = Displacement(1), Velocity(1)
 OWN = ("rho", "r", "kn", "v_a")
 X = np.array([1.0, 0.0, 0.0])
-SUNK = 2.0  # overlap at rest, in amplitudes: the contact stays closed
+SUNK = 2.0  # overlap at rest over the amplitude: the contact stays closed
 FREE = X > 0
 
 
 def _pressed(p: Parameters, m: float, amplitude: float) -> Scene:
-    """A sphere that a dead load presses into a wall, thrown along the normal."""
+    """A sphere that a dead load presses into a wall, with an initial velocity along the normal."""
     depth = SUNK * amplitude
     sphere = Spheres(
         position=np.zeros((1, 3)),
@@ -65,7 +65,7 @@ def _bonded(p: Parameters, m: float, amplitude: float) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if p["v_a"] == 0:
-        raise ValueError("v_a = 0.0 m/s; the sphere must swing, and its speed not be 0")
+        raise ValueError("v_a = 0.0 m/s; the speed must not be 0, or the sphere does not oscillate")
     m = closed.mass(p["rho"], p["r"])
     w = math.sqrt(p["kn"] / m)
     scene = (_pressed if variant == "pressed" else _bonded)(p, m, abs(p["v_a"]) / w)
@@ -79,7 +79,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _quantities(w: float) -> tuple[Quantity, ...]:
     rate = Scalar(
         "rate", "phase/wt", "", "phase over that of the exact oscillation",
-        lambda run: _swing(run, w).phase / (w * float(run.times[-1])), 1.0, 1.0, _second(SWIFT, w),
+        lambda run: _swing(run, w).phase / (w * float(run.times[-1])), 1.0, 1.0,
+        _phase_bounds(SWIFT, w),
     )  # fmt: skip
     return (
         Scalar(
@@ -88,7 +89,7 @@ def _quantities(w: float) -> tuple[Quantity, ...]:
         ),
         Scalar(
             "kappa", "kappa", "", "stiffness in the conserved energy, over that of the spring",
-            lambda run: _swing(run, w).kappa, 1.0, 1.0, _second(SOFT, w),
+            lambda run: _swing(run, w).kappa, 1.0, 1.0, _phase_bounds(SOFT, w),
         ),
         rate,
         dataclasses.replace(
@@ -112,40 +113,41 @@ class Swing(NamedTuple):
 
 
 def _swing(run: Run, w: float) -> Swing:
-    """From the outputs; between two of them the phase strays from wt by less than half a turn."""
+    """The oscillation, from outputs between which its phase strays from wt by under half a turn."""
     x, v = w * (run.values[MOVED] @ X), run.values[MOVING] @ X
     rows = np.stack([np.ones_like(x), -(x**2)], axis=1)
     kept, kappa = np.linalg.lstsq(rows, v**2, rcond=None)[0].tolist()
     strayed = np.abs(v**2 + kappa * x**2 - kept).max() / kept
-    ahead = np.unwrap(_turned(x, v, kappa) - w * run.times)
+    ahead = np.unwrap(_phase(x, v, kappa) - w * run.times)
     return Swing(float(ahead[-1] - ahead[0] + w * run.times[-1]), kappa, float(strayed))
 
 
 def _damping(run: Run, w: float) -> float:
-    """Half the slope of ln(v^2 + kappa w^2 x^2) over the phase w t, negated."""
+    """Minus half the slope of ln(v^2 + kappa w^2 x^2) over the phase w t."""
     x, v = w * (run.values[MOVED] @ X), run.values[MOVING] @ X
     kept = np.log(v**2 + _swing(run, w).kappa * x**2)
     return float(-np.polyfit(w * run.times, kept, 1)[0] / 2)
 
 
-def _turned(x: Vector, v: Vector, kappa: float) -> Vector:
+def _phase(x: Vector, v: Vector, kappa: float) -> Vector:
     return np.asarray(np.arctan2(math.sqrt(kappa) * x, v))
 
 
 def _theory(run: Run, w: float) -> float:
-    """The phase [rad] of a leapfrog; where there is no step to speak of, that of the swing."""
+    """The phase [rad] of a leapfrog, or of the exact oscillation if there are hardly any steps."""
     outputs, span = len(run.times) - 1, w * float(run.times[-1])
     steps = outputs * max(1, round(run.steps / outputs))  # a code may take one more at the end
     return steps * leapfrog.phase_per_step(span / steps) if span < steps else span
 
 
-def _second(reason: str, w: float) -> Exact:
-    """Errors that are known: phase (w dt)^2/24, kappa (w dt)^2/4, at w dt = 0.4; w [1/s]."""
+def _phase_bounds(reason: str, w: float) -> Exact:
+    """Known errors at w dt = 0.4: phase (w dt)^2/24, kappa (w dt)^2/4; w in 1/s."""
     known = ANGLES[0] ** 2 / (24 if reason == SWIFT else 4)
     bound = Tolerance(1.02 * known, reason, dt=ANGLES[0] / w, order=2)
     return Exact({
-        Method.EXACT: Tolerance(1e-11, "rounding of three thousand pieces"),
-        Method.LINEARISED: Tolerance(1e-11, "a bond that does not turn is linear, to rounding"),
+        Method.EXACT: Tolerance(1e-11, "rounding errors of three thousand pieces of the motion"),
+        Method.LINEARISED: Tolerance(1e-11, "a bond that does not rotate is linear: only rounding "
+                                     "errors remain"),
         Method.LEAPFROG: bound,
         Method.LATE_LEAPFROG: dataclasses.replace(bound, reason=BALANCED + reason),
     }, not_judged={**OTHERS, Method.PENALTY: ONLY_NEAR})  # fmt: skip
@@ -154,22 +156,27 @@ def _second(reason: str, w: float) -> Exact:
 OTHERS = dict.fromkeys(
     (Method.SECOND_ORDER, Method.FIRST_ORDER), "phase and energy are those of a leapfrog"
 )
-ONLY_NEAR = "springs that stand in for a bond do so for small stretches only"
+ONLY_NEAR = "springs that represent a bond do so for small stretches only"
 ANGLES = (0.4, 0.2, 0.1, 0.05)  # w dt [rad]
 PERIODS = {"pressed": 1000.25, "bonded": 2000.25, "bonded-long": 100_000.25}
 BETWEEN = 5.05  # periods between two outputs
-SWIFT = "a leapfrog turns by 2 asin(w dt/2) a step: (w dt)^2/24 too fast, and 2 % for what follows"
-SOFT = "a leapfrog keeps m v^2/2 + k (1 - (w dt/2)^2) x^2/2, no more and no less"
-BALANCED = "the load balances the contact at the start, and costs no order; "
-KEPT = Invariant(1e-11, "rounding over up to a million steps; nothing else changes the energy")
+SWIFT = (
+    "a leapfrog advances by 2 asin(w dt/2) a step, too much by (w dt)^2/24; 2 % is allowed for "
+    "higher terms"
+)
+SOFT = "a leapfrog conserves m v^2/2 + k (1 - (w dt/2)^2) x^2/2 exactly"
+BALANCED = "the load only balances the contact at the start, and does not lower the order; "
+KEPT = Invariant(1e-11, "rounding errors of up to a million steps; nothing else changes the energy")
 NONE = Exact(
     dict.fromkeys(
         (Method.EXACT, Method.LINEARISED, Method.LEAPFROG, Method.LATE_LEAPFROG),
-        Tolerance(1e-14, "none; what rounding leaves of 1e-11 over thousands of radians"),
+        Tolerance(
+            1e-14, "there is no damping; rounding of 1e-11 over thousands of radians remains"
+        ),
     ),
     not_judged={**OTHERS, Method.PENALTY: ONLY_NEAR},
 )
-THEORY = Tolerance(1e-12, "a leapfrog's phase is known; rounding moves it by 1e-14")
+THEORY = Tolerance(1e-12, "the phase of a leapfrog is known; rounding moves it by 1e-14")
 TURNS = Exact(
     {Method.LEAPFROG: THEORY, Method.LATE_LEAPFROG: THEORY},
     not_judged=dict.fromkeys(
@@ -177,9 +184,9 @@ TURNS = Exact(
     )
     | {**OTHERS, Method.PENALTY: ONLY_NEAR},
 )
-# m/s: the faster, the smaller the part of a swing that is lost as places round
+# m/s: the faster, the smaller is the part of an oscillation that rounding of positions loses
 FAST, FASTER, FASTEST = ({"v_a": -v} for v in (1.0, 10.0, 100.0))
-NO_SIZE = frozenset({"v_a"})  # the swing is linear
+NO_SIZE = frozenset({"v_a"})  # the oscillation is linear
 LAW = "x = (v_a/w) sin wt, w^2 = kn/m; a leapfrog: x_n = (v_a dt/sin a) sin na, a = 2 asin(w dt/2)"
 CASE = Case(
     name="long-swing",
@@ -187,8 +194,8 @@ CASE = Case(
     source=Source(
         *LI_2018,
         "The spring of T1 is bound both ways here, by a load that keeps the contact closed or by a "
-        "bond, and swings on. What a leapfrog makes of it is in Hairer, Lubich and Wanner (2003), "
-        "Acta Numerica 12, 399-450.",
+        "bond, and oscillates on. Hairer, Lubich and Wanner (2003), Acta Numerica 12, 399-450, "
+        "derive how a leapfrog integrates it.",
     ),
     parameters=tuple(one for one in SINGLE_CONTACT.parameters if one.name in OWN),
     variants=(

@@ -1,4 +1,4 @@
-"""Where codes are right, wrong, or blow up: maps over contact stiffness and step."""
+"""Maps over contact stiffness and step of where codes are right, wrong or diverge."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from vv.scene import Scene
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    trial = _behind(variant, {})
+    trial = _source_trial(variant, {})
     moved = trial.quantities[0]
     assert isinstance(moved, Series)
-    study = _swung(trial) if variant == "unit" else _pressed(trial)
+    study = _unit_grid(trial) if variant == "unit" else _block_grid(trial)
     return Trial(study, (dataclasses.replace(moved, judge=EXPLORED),))
 
 
-def _behind(variant: str, changed: Parameters) -> Trial:
+def _source_trial(variant: str, changed: Parameters) -> Trial:
     """The trial of the case behind a variant, with some of its parameters changed."""
     case, name, own = BEHIND[variant]
     return case.declare(name, {**case.defaults(name), **own, **changed})
 
 
-def _pressed(trial: Trial) -> Grid:
+def _block_grid(trial: Trial) -> Grid:
     """A block on springs kn; its critical step is that of the normal spring, 2 sqrt(m/kn)."""
     scene = trial.study.scene
     (block,) = scene.blocks
@@ -42,10 +42,10 @@ def _pressed(trial: Trial) -> Grid:
     )
 
 
-def _swung(trial: Trial) -> Grid:
+def _unit_grid(trial: Trial) -> Grid:
     """The unit on its bonds; its critical step is 2/w of its breathing, the fastest mode.
 
-    Its mass goes with its stiffness, so that it always swings as fast: the answer is the same.
+    Its mass grows with its stiffness, so that its frequency stays and the answer is the same.
     """
     scene = trial.study.scene
     assert scene.bonds is not None
@@ -53,7 +53,7 @@ def _swung(trial: Trial) -> Grid:
     step = math.sqrt(mass / kn)
 
     def own(other: float) -> Scene:
-        return _behind("unit", {"kn": other, "m": mass * other / kn}).study.scene
+        return _source_trial("unit", {"kn": other, "m": mass * other / kn}).study.scene
 
     goal = History(PERIODS * math.pi * step, PERIODS * math.pi * step / SAMPLES)
     return Grid(
@@ -65,10 +65,10 @@ def _swung(trial: Trial) -> Grid:
 BEHIND = {
     "incline": (INCLINE, "newmark-30", {"f": 2.0}),
     "responding-block": (RESPONDING_BLOCK, "1d", {}),
-    "unit": (UNIT, "breathing", {"gamma": 0.0}),  # what breathes stretches no shear spring
+    "unit": (UNIT, "breathing", {"gamma": 0.0}),  # breathing does not stretch shear springs
 }
-SECONDS, PERIODS, SAMPLES = 0.5, 20, 200  # s: one shake; swings; outputs
-PATIENCE = 30.0  # s: the finest step at 1e12 N/m is taken 5e6 times, some microseconds each
+SECONDS, PERIODS, SAMPLES = 0.5, 20, 200  # s: one cycle of shaking; oscillations; outputs
+PATIENCE = 30.0  # s: the finest step at 1e12 N/m runs 5e6 times, at some microseconds each
 FEW, MANY = (2.0, 0.1), (10.0, 2.0, 0.9, 0.19, 0.1, 1e-2, 1e-3)
 STEPS = {Level.QUICK: FEW, Level.DEFAULT: FEW, Level.PAPER: MANY}
 ALL_STEPS = {
@@ -92,12 +92,12 @@ CASE = Case(
     title="Maps over stiffness and step",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "The scenes are those of the cases of these names, and of the tetrahedral unit of Liu et "
-        "al. (2017), over one shake of 2 Hz and over 20 swings. Stiffness runs from 1e4 to 1e12 "
-        "N/m, the step from 1e-3 to 10 times 2 sqrt(m/kn), or 2/w of the unit; a step longer than "
-        "the run is refused. The bonds of the unit have no shear springs, and its mass goes with "
-        "its stiffness. A point that would take a code more than 30 s by the pace it states is "
-        "left out, and says so.",
+        "The scenes are those of the cases with these names, and of the tetrahedral unit of Liu et "
+        "al. (2017), over one cycle of shaking at 2 Hz and over 20 oscillations. Stiffness runs "
+        "from 1e4 to 1e12 N/m, the step from 1e-3 to 10 times 2 sqrt(m/kn), or 2/w of the unit; a "
+        "step longer than the run is refused. The bonds of the unit have no shear springs, and its "
+        "mass grows with its stiffness. A point that would take a code more than 30 s at its "
+        "stated speed is left out and marked.",
     ),
     parameters=(),
     variants=(
@@ -114,6 +114,6 @@ CASE = Case(
         Variant("unit", "four bonded elements that breathe", UNIT.variant("breathing").formula),
     ),
     declare=_declare,
-    # the last bits decide how chaos blows up
+    # chaotic motion diverges by its last bits
     enforced=frozenset(Check) - {Check.REGRESSION},
 )

@@ -1,4 +1,4 @@
-"""The largest stable step of every code on bonded elements: four of them, and a lattice of 82."""
+"""The largest stable step of every code on bonded elements: four of them, or a lattice of 82."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _elements(variant: str, d: float) -> tuple[Vector, Pairs]:
 
 
 def _scene(p: Parameters, position: Vector, pairs: Pairs) -> Scene:
-    """Elements free in space on unbreakable bonds, each of which stirs in its own direction."""
+    """Elements free in space on unbreakable bonds, each with a velocity in its own direction."""
     count = len(position)
     spheres = Spheres(
         position=position,
@@ -69,7 +69,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 START, SPAN = 0.45, 5.0  # of the limit: where a search begins, and how far it goes
 STEPS = 400
-FAR = 1e3  # swings of one element alone; the slow drift of a block is 400 of them at most
+FAR = 1e3  # amplitudes of one element alone; the slow drift of a block is at most 400 of them
 OTHERS = dict.fromkeys(
     (Method.SECOND_ORDER, Method.FIRST_ORDER),
     "the limit is that of a leapfrog; other methods have other limits",
@@ -79,8 +79,8 @@ FOUND = Exact(
         [method for method in Method if method not in OTHERS],
         Tolerance(
             3e-3,
-            "the search ends 1.5e-3 apart, and beyond the limit the fastest mode grows by "
-            "exp(2 sqrt(2 d)) a step, d the excess",
+            "the search ends with an interval of 1.5e-3; beyond the limit the fastest mode grows "
+            "by exp(2 sqrt(2 d)) a step, d the relative excess",
         ),
     ),
     not_judged=OTHERS,
@@ -88,17 +88,19 @@ FOUND = Exact(
 MORE = Interval(
     1.0,
     1.1,
-    "a block lacks bonds that the infinite lattice has, and no mode is faster with fewer springs: "
-    "the limit 1.33548e-7 s of the lattice is safe for every block",
+    "a block lacks bonds that the infinite lattice has, and fewer springs make no mode faster: the "
+    "limit of the lattice, 1.33548e-7 s, is safe for every block",
 )
-FORMULA = "a leapfrog is stable up to 2/w, where w is the fastest mode of the bonds"
+FORMULA = (
+    "a leapfrog is stable up to 2/w, where w is the frequency of the fastest mode of the bonds"
+)
 CASE = Case(
     name="stable-bonds",
     title="Largest stable step on bonds",
     source=Source(
         *LIU_2017,
-        "The paper takes 1e-8 s and states no limit. Elements do not turn. A step is unstable if "
-        "within 400 steps something moves by 1000 swings v/w, or the code gives up.",
+        "The paper uses 1e-8 s and states no limit. Elements do not rotate. A step is unstable if "
+        "within 400 steps something moves by 1000 amplitudes v/w, or the code gives up.",
     ),
     parameters=tuple(one for one in UNIT.parameters if one.name in ("kn", "gamma", "d", "m")),
     variants=(

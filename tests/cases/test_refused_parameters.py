@@ -10,7 +10,7 @@ from vv.plan.project import find
 @pytest.mark.parametrize(
     ("case", "variant", "given", "words"),
     [
-        ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the sphere must swing"),
+        ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the speed must not be 0"),
         ("slow-slide", "level", {"v0": 0.0}, "the block must move, and friction must stop it"),
         ("slow-slide", "slope", {"mu": 0.01}, "the block must move, and friction must stop it"),
         ("stable-step", "undamped", {"mu": 0.0}, "mu = 0.0; it must be positive"),
