@@ -30,8 +30,8 @@ LEDGER = (
     "base potential",
     "shaking potential",
     "potential of gravity and loads",
-    "taken by push-out",
-    "taken by arms that turn",
+    "taken by removal of penetration",
+    "taken by rotation of lever arms",
 )
 SIGNS = np.array([1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, 1.0])
 EPS = float(np.finfo(float).eps)

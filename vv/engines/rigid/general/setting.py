@@ -170,12 +170,12 @@ def fastest_speed(setting: Setting, state: State, now: float, span: float) -> fl
 
 
 @lent
-def residual_asked(setting: Setting, pace: float, apart: float) -> float:
-    """The residual [m/s] asked of a step in which speeds are up to `fastest_speed` [m/s].
+def residual_asked(setting: Setting, fastest: float, apart: float) -> float:
+    """The residual [m/s] asked of a step in which speeds are up to `fastest` [m/s].
 
     apart: the velocity [m/s] that corresponds to rounding of gaps that close in the step.
     """
-    rounding = larger(ROUNDED * pace, apart)
+    rounding = larger(ROUNDED * fastest, apart)
     return smaller(setting.tolerance, larger(setting.finest, rounding))
 
 

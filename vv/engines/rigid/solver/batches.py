@@ -1,6 +1,6 @@
 """Contacts in batches of eight that share no moving body, so that SIMD instructions can solve them.
 
-In a sweep one contact after the other, each waits for the one before. The contacts of a batch are
+In a sweep over single contacts, each waits for the one before. The contacts of a batch are
 independent, and their data lie side by side: the compiler vectorises a loop over them, which takes
 a third of the time. Since faces touch at several corners, a batch holds the contacts of eight pairs
 of bodies, with one contact of each pair in a layer. The data of the bodies are then fetched once
@@ -70,7 +70,7 @@ PAIRS = np.dtype(
         ("largest", np.float64, LANES),
     ]
 )
-"""Velocities of the bodies of a batch, and the changes of impulses in a sweep: see `changed`."""
+"""Velocities of the bodies of a batch, and the changes of impulses in a sweep: see `change_of`."""
 
 batch_room, layer_room, pairs_room = map(rooms.of_zero_records, (BATCH, LAYER, PAIRS))
 

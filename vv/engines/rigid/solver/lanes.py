@@ -107,7 +107,7 @@ def update_layer(pairs: Record, batch: Record, layer: Record) -> None:
 def sweep_batches(
     pairs: Record, batches: Record, layers: Record, velocities: Vector
 ) -> tuple[float, float]:
-    """One pass over all batches; the results are those of `changed`."""
+    """One pass over all batches; the results are those of `change_of`."""
     for lane in range(LANES):
         pairs.square[lane] = pairs.largest[lane] = 0.0
     for k in range(len(batches)):

@@ -134,7 +134,7 @@ def newton_round(
     """Fill p (c, 3) with the impulses after a round from q (c, 3), whose effect is in v, w (b, 3).
 
     Returns whether the iteration converged: no velocity changed by more than a tenth of the
-    tolerance [m/s] in the last step. place: see `arranged`. It is one function since assembly,
+    tolerance [m/s] in the last step. place: see `band_ordering`. It is one function since assembly,
     solution and update share its arrays.
     """
     blocks = len(place)
