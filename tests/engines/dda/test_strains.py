@@ -18,7 +18,7 @@ from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Strain, Veloc
 from vv.codes import known_beforehand
 from vv.engines import dem, rigid
 from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare, solve
-from vv.engines.dda.general.bodies import Bodies, Motion, followed
+from vv.engines.dda.general.bodies import Bodies, Motion, rotate_strains
 from vv.engines.dda.general.model import General
 from vv.plan.project import find
 from vv.scene import Block, Contact, Elastic, Scene, Term, Vector, rotated, rotation_about_z
@@ -185,7 +185,7 @@ def test_strains_that_stay_behind_shear_what_turns_and_published_says_so() -> No
 
 def _turned(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
     """A kernel of a function that only kernels can call."""
-    followed(motion, bodies, i, d, terms)
+    rotate_strains(motion, bodies, i, d, terms)
 
 
 turned: Any = numba.njit(

@@ -30,7 +30,7 @@ def respond(
     the end [m]; slip: tangential displacement in the step [m]; spring: tangential stretch at its
     beginning [m]. There is no tension; a contact slides if its spring would exceed mu N. ease: the
     stiffness [N/m] by which inertia resists slip, with which this is Newton's iteration for a block
-    on a plane. coulomb: whether friction follows `returned`, otherwise `lagged`.
+    on a plane. coulomb: whether friction follows `return_mapping`, otherwise `lagged_friction`.
     """
     if gap >= 0.0:
         return OPEN, 0.0, NOWHERE
@@ -38,14 +38,14 @@ def respond(
     if mu is None or ks is None:
         return SLIDE, push, NOWHERE
     if coulomb:
-        now, along = returned(state, mu * push, slip, spring, way, ks, ease)
+        now, along = return_mapping(state, mu * push, slip, spring, way, ks, ease)
     else:
-        now, along = lagged(state, mu * push, slip, spring, way, ks, hold, ease)
+        now, along = lagged_friction(state, mu * push, slip, spring, way, ks, hold, ease)
     return now, push, along
 
 
 @inlined
-def lagged(
+def lagged_friction(
     state: int,
     cap: float,
     slip: Triple,
@@ -74,14 +74,14 @@ def lagged(
 
 
 @inlined
-def returned(
+def return_mapping(
     state: int, cap: float, slip: Triple, spring: Triple, way: Triple, ks: float, ease: float
 ) -> tuple[int, Triple]:
-    """As `lagged` with hold 1, but by Coulomb's law itself: a state that repeats is a solution.
+    """As `lagged_friction` with hold 1, but by Coulomb's law: a repeated state is a solution.
 
     The trial stretch spring + slip is returned to cap/ks in its own direction (Simo and Hughes
-    1998, Sec. 2.5). A contact slides only if it goes on along `way`, which `lagged` does not
-    require: along a slip that friction itself has reversed, friction would create energy.
+    1998, Sec. 2.5). A contact slides only if it goes on along `way`, which `lagged_friction` does
+    not require: along a slip that friction itself has reversed, friction would create energy.
     """
     trial = add_scaled(spring, 1.0, slip)
     toward = trial

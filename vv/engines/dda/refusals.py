@@ -26,11 +26,13 @@ def refuses(ask: Ask, formulation: Formulation = DEFAULT) -> str | None:
         return "the scene holds spheres; DDA knows blocks and walls"
     if rigid and ask.knobs.kn is None:
         return "Knobs.kn is None; a penalty scheme needs a stiffness for rigid contact"
-    checks = (moves_where_locked, undetermined, _turns_its_strains_away)
+    checks = (moves_where_locked, undetermined, _locked_strains)
     found = next((reason for check in checks if (reason := check(scene))), None)
     found = found or (overlaps(scene) if rigid else None)
-    found = found or (_beyond_multipliers(scene) if formulation.multipliers else None)
-    return found or (_slides_off(scene, formulation.settling) if formulation.settling else None)
+    found = found or (_why_no_multipliers(scene) if formulation.multipliers else None)
+    return found or (
+        _slides_before_start(scene, formulation.settling) if formulation.settling else None
+    )
 
 
 def settles(scene: Scene) -> bool:
@@ -39,7 +41,7 @@ def settles(scene: Scene) -> bool:
     return waits and not any(block.velocity.any() or block.spin.any() for block in scene.blocks)
 
 
-def _slides_off(scene: Scene, settling: float) -> str | None:
+def _slides_before_start(scene: Scene, settling: float) -> str | None:
     """Why a block on one wall would slide in `settling` [s] of gravity before t = 0; else None."""
     if not settles(scene) or len(scene.blocks) != 1 or len(scene.walls) != 1:
         return None
@@ -56,7 +58,7 @@ def _slides_off(scene: Scene, settling: float) -> str | None:
     )
 
 
-def _beyond_multipliers(scene: Scene) -> str | None:
+def _why_no_multipliers(scene: Scene) -> str | None:
     """Why multipliers are refused: for contact on springs, or several blocks that can rotate."""
     if not scene.contact.rigid:
         return "multipliers keep gaps at zero, but the scene has contact on springs"
@@ -69,7 +71,7 @@ def _beyond_multipliers(scene: Scene) -> str | None:
     )
 
 
-def _turns_its_strains_away(scene: Scene) -> str | None:
+def _locked_strains(scene: Scene) -> str | None:
     """Why a block is refused that may rotate, and is free in one direction of that plane only."""
     for block in scene.blocks:
         for axis in np.flatnonzero(block.free_spin):

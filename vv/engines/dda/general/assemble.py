@@ -13,7 +13,7 @@ from vv.scene import Vector
 
 
 @lent
-def profile(first: Index, bodies: Bodies, touch: Touch) -> None:
+def fill_profile(first: Index, bodies: Bodies, touch: Touch) -> None:
     """Fill first (q,): the first column in each row of the matrix that may differ from zero."""
     for i in range(len(bodies.mass)):
         for a in range(bodies.start[i], bodies.start[i + 1]):
@@ -28,7 +28,7 @@ def profile(first: Index, bodies: Bodies, touch: Touch) -> None:
 
 
 @lent
-def stiffness(
+def assemble_stiffness(
     matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, state: Index,
     step: float, weight: float, kn: float, ks: float, elastic: Vector,
 ) -> None:  # fmt: skip
@@ -58,7 +58,7 @@ def stiffness(
 
 
 @lent
-def pushed(outer: Vector, bodies: Bodies, shake: Triple) -> None:
+def apply_loads(outer: Vector, bodies: Bodies, shake: Triple) -> None:
     """Fill outer (q,) with the generalised forces of weight, dead loads and shaking [m/s2]."""
     for i in range(len(bodies.mass)):
         load = add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i))
@@ -68,7 +68,7 @@ def pushed(outer: Vector, bodies: Bodies, shake: Triple) -> None:
 
 
 @lent
-def contact_pull(
+def contact_force(
     k: int, touch: Touch, state: int, force: float, way: Triple, moved: Triple,
     kn: float, ks: float, mu: float,
 ) -> Triple:  # fmt: skip

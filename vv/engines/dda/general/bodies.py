@@ -10,7 +10,12 @@ from typing import NamedTuple
 
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.blocks.placement import find_normals
-from vv.engines.dda.general.matrices import exponential, mapped, product, reshaped
+from vv.engines.dda.general.matrices import (
+    congruent,
+    fill_exponential,
+    moment_product,
+    times_vector,
+)
 from vv.engines.kernels.arrays import rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
@@ -63,7 +68,7 @@ def copy_rows(to: Vector, source: Vector) -> None:
 
 
 @lent
-def copied(to: Motion, source: Motion) -> None:
+def copy_motion(to: Motion, source: Motion) -> None:
     """Copy a motion to another."""
     copy_rows(to.vertex, source.vertex)
     copy_rows(to.normal, source.normal)
@@ -76,7 +81,7 @@ def copied(to: Motion, source: Motion) -> None:
 
 
 @lent
-def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
+def fill_masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
     """Fill mass (q, 12), the mass matrix: row a has the entries of all unknowns of the same block.
 
     m_ab = m line_a . line_b + tr(slope_a second slope_b^T).
@@ -86,14 +91,16 @@ def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
         for a in range(first, bodies.start[i + 1]):
             for b in range(first, bodies.start[i + 1]):
                 total = bodies.mass[i] * dot(at(bodies.line, a), at(bodies.line, b))
-                mass[a, b - first] = total + product(second, bodies.slope[a], bodies.slope[b])
+                mass[a, b - first] = total + moment_product(
+                    second, bodies.slope[a], bodies.slope[b]
+                )
 
 
 @lent
-def applied(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> float:
+def times_blocks(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> float:
     """Fill result (q,) with matrix (q, 12) times vector (q,); return vector . result.
 
-    The matrix is laid out as that of `masses`.
+    The matrix is laid out as that of `fill_masses`.
     """
     whole = 0.0
     for i in range(len(bodies.mass)):
@@ -108,7 +115,7 @@ def applied(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> f
 
 
 @lent
-def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
+def centre_displacement(bodies: Bodies, i: int, d: Vector) -> Triple:
     """The displacement of the centre of block i for unknowns d (q,) [m]."""
     line = NOWHERE
     for a in range(bodies.start[i], bodies.start[i + 1]):
@@ -117,7 +124,7 @@ def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
 
 
 @lent
-def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> None:
+def fill_gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> None:
     """Fill out (3, 3): the displacement gradient of the unknowns first to last - 1 of d (q,)."""
     for r in range(3):
         row = NOWHERE
@@ -127,25 +134,25 @@ def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> N
 
 
 @called
-def stretched(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
+def fill_deformation(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
     """Fill whole (3, 3): the exponential of the displacement gradient of block i.
 
     terms: how many terms of its series are summed.
     """
     slope = rows(3)
-    gradient(slope, bodies, bodies.start[i], bodies.start[i + 1], d)
-    exponential(whole, slope, terms)
+    fill_gradient(slope, bodies, bodies.start[i], bodies.start[i + 1], d)
+    fill_exponential(whole, slope, terms)
 
 
 @called
-def followed(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
+def rotate_strains(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
     """Rotate strains of block i with it: E becomes R E R^T, R = exp of the rotation in d (q,)."""
     spin, turn, tensor = rows(3), rows(3), rows(3)
     begin, end = bodies.strains[i], bodies.start[i + 1]
-    gradient(spin, bodies, bodies.start[i], begin, d)
-    exponential(turn, spin, terms)
-    gradient(tensor, bodies, begin, end, motion.strain)
-    reshaped(tensor, turn, tensor)
+    fill_gradient(spin, bodies, bodies.start[i], begin, d)
+    fill_exponential(turn, spin, terms)
+    fill_gradient(tensor, bodies, begin, end, motion.strain)
+    congruent(tensor, turn, tensor)
     for a in range(begin, end):
         part = size = 0.0
         for r in range(3):
@@ -158,22 +165,22 @@ def followed(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> N
 def displace(
     motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: int, follow: int
 ) -> None:
-    """Move the blocks by unknowns d (q,); terms: see `stretched`; follow: see `Formulation`."""
+    """Move the blocks by d (q,); terms: see `fill_deformation`; follow: see `Formulation`."""
     whole = rows(3)
     for i in range(len(bodies.mass)):
-        stretched(whole, bodies, i, d, terms)
+        fill_deformation(whole, bodies, i, d, terms)
         before = at(motion.centre, i)
-        owed = add_scaled(travelled(bodies, i, d), -1.0, at(motion.rounded, i))
+        owed = add_scaled(centre_displacement(bodies, i, d), -1.0, at(motion.rounded, i))
         centre = add_scaled(before, 1.0, owed)
         put(motion.rounded, i, add_scaled(add_scaled(centre, -1.0, before), -1.0, owed))
         for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
             arm = add_scaled(at(motion.vertex, k), -1.0, before)
-            put(motion.vertex, k, add_scaled(centre, 1.0, mapped(whole, arm)))
+            put(motion.vertex, k, add_scaled(centre, 1.0, times_vector(whole, arm)))
         put(motion.centre, i, centre)
-        reshaped(motion.second[i], whole, motion.second[i])
+        congruent(motion.second[i], whole, motion.second[i])
     for a in range(len(d)):
         motion.strain[a] += d[a]
     for i in range(len(bodies.mass)):
         if follow > 0 and bodies.strains[i] < bodies.start[i + 1]:
-            followed(motion, bodies, i, d, follow)
+            rotate_strains(motion, bodies, i, d, follow)
     find_normals(motion.normal, shapes, motion.vertex)

@@ -9,7 +9,7 @@ import numpy as np
 from vv.engines.blocks.contacts import Contacts, detect, empty_contacts, matched
 from vv.engines.blocks.geometry import Index, Planes, Shapes
 from vv.engines.dda.general.bodies import Bodies, Motion
-from vv.engines.dda.general.matrices import mapped
+from vv.engines.dda.general.matrices import times_vector
 from vv.engines.dda.law import STICK
 from vv.engines.kernels import rooms
 from vv.engines.kernels.arrays import counts, zero_counts, zero_numbers, zero_rows
@@ -49,7 +49,7 @@ class Touch(NamedTuple):
 
 
 @called
-def touch_room(count: int) -> Touch:
+def contact_arrays(count: int) -> Touch:
     """Arrays for so many contact points, all open."""
     return Touch(
         zero_counts(count), zero_counts(count), zero_rows(count),
@@ -61,7 +61,7 @@ def touch_room(count: int) -> Touch:
 
 
 @lent
-def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: float) -> None:
+def close_initial(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: float) -> None:
     """Set the points that overlap at the start to stick, with the normal forces of their springs.
 
     went: unknowns (q,) of the displacement from the positions in the scene; with hold 1 the
@@ -88,13 +88,13 @@ def add_columns(
     for a in range(bodies.start[body], bodies.start[body + 1]):
         m = touch.columns[k]
         touch.column[k, m] = a
-        moved = add_scaled(at(bodies.line, a), 1.0, mapped(bodies.slope[a], arm))
+        moved = add_scaled(at(bodies.line, a), 1.0, times_vector(bodies.slope[a], arm))
         put(touch.field[k], m, add_scaled(NOWHERE, sign, moved))
         touch.columns[k] = m + 1
 
 
 @lent
-def laid_down(a: Triple, n: Triple) -> Triple:
+def rotated_into_plane(a: Triple, n: Triple) -> Triple:
     """The vector a rotated into the plane normal to n, at constant length."""
     flat = add_scaled(a, -dot(a, n), n)
     before, after = np.sqrt(dot(a, a)), np.sqrt(dot(flat, flat))
@@ -102,16 +102,16 @@ def laid_down(a: Triple, n: Triple) -> Triple:
 
 
 @lent
-def carried_over(touch: Touch, k: int, old: Touch, m: int) -> None:
+def copy_state(touch: Touch, k: int, old: Touch, m: int) -> None:
     """Copy the state of old point m to point k; rotate its spring into the new contact plane."""
     n = at(touch.normal, k)
     touch.state[k], touch.push[k] = old.state[m], old.push[m]
-    put(touch.spring, k, laid_down(at(old.spring, m), n))
-    put(touch.way, k, laid_down(at(old.way, m), n))
+    put(touch.spring, k, rotated_into_plane(at(old.spring, m), n))
+    put(touch.way, k, rotated_into_plane(at(old.way, m), n))
 
 
 @called
-def found(
+def find_contacts(
     old: Touch, bodies: Bodies, motion: Motion, shapes: Shapes, moves: Mask,
     planes: Planes, shift: Vector, depth: Vector, reach: float,
 ) -> Touch:  # fmt: skip
@@ -126,7 +126,7 @@ def found(
         count = detect(
             contacts, shapes, motion.vertex, motion.normal, moves, planes, shift, depth, reach
         )
-    touch, blocks = touch_room(count), len(bodies.mass)
+    touch, blocks = contact_arrays(count), len(bodies.mass)
     before = matched(contacts.key, count, old.key)
     for k in range(count):
         first, second = contacts.first[k], contacts.second[k]
@@ -138,5 +138,5 @@ def found(
         if first < blocks:
             add_columns(touch, k, first, -1.0, contacts.point, bodies, motion)
         if before[k] >= 0:
-            carried_over(touch, k, old, before[k])
+            copy_state(touch, k, old, before[k])
     return touch

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.dda.general.bodies import Bodies, Motion, applied
+from vv.engines.dda.general.bodies import Bodies, Motion, times_blocks
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.kernels.arrays import larger, numbers
@@ -21,14 +21,14 @@ REPORTS = 9
 
 
 @called
-def held(
+def store_energies(
     ledger: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector,
     kn: float, ks: float, elastic: Vector,
 ) -> None:  # fmt: skip
     """Set the kinetic and elastic energies in the ledger to their present values [J]."""
     flow = numbers(len(motion.velocity))
-    ledger[KINETIC] = 0.5 * applied(flow, mass, bodies, motion.velocity)
-    ledger[STRAIN] = 0.5 * applied(flow, elastic, bodies, motion.strain)
+    ledger[KINETIC] = 0.5 * times_blocks(flow, mass, bodies, motion.velocity)
+    ledger[STRAIN] = 0.5 * times_blocks(flow, elastic, bodies, motion.strain)
     ledger[NORMAL] = ledger[SHEAR] = 0.0
     for k in range(len(touch.key)):
         over = larger(-touch.gap[k], 0.0)
@@ -37,7 +37,7 @@ def held(
 
 
 @lent
-def close_step(
+def add_contact_energies(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
     relative: Vector, moved: Vector, over: float, kn: float, ks: float, mu: float, hold: float,
 ) -> None:  # fmt: skip
@@ -104,7 +104,7 @@ def close_step(
 
 
 @called
-def audit(
+def check_momentum(
     worst: Vector, pull: Vector, outer: Vector, u: Vector, begun: Vector, step: float,
     weight: float, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
 ) -> None:  # fmt: skip
@@ -119,8 +119,8 @@ def audit(
     for a in range(q):
         change[a] = weight / step * (u[a] / step - begun[a])
         strain[a] = motion.strain[a] + u[a]
-    applied(gain, mass, bodies, change)
-    applied(held_back, elastic, bodies, strain)
+    times_blocks(gain, mass, bodies, change)
+    times_blocks(held_back, elastic, bodies, strain)
     for a in range(q):
         line = at(bodies.line, a)
         if dot(line, line) > 0.0:

@@ -6,7 +6,7 @@ A rule holds alpha_m, alpha_f, beta and gamma, see `Stepping`. A step is solved 
 
 from __future__ import annotations
 
-from vv.engines.dda.general.bodies import Bodies, applied
+from vv.engines.dda.general.bodies import Bodies, times_blocks
 from vv.engines.kernels.arrays import numbers, square_of
 from vv.engines.kernels.compiled import called, lent
 from vv.scene import Vector
@@ -15,7 +15,7 @@ Rule = tuple[float, float, float, float]
 
 
 @lent
-def brought(begun: Vector, velocity: Vector, rate: Vector, rule: Rule, step: float) -> float:
+def inertia_terms(begun: Vector, velocity: Vector, rate: Vector, rule: Rule, step: float) -> float:
     """Fill begun (q,) from velocities and accelerations `rate` (q,); return the weight of inertia.
 
     M ((1 - alpha_m) a1 + alpha_m a0) is then weight M (u/D - begun)/D.
@@ -29,7 +29,7 @@ def brought(begun: Vector, velocity: Vector, rate: Vector, rule: Rule, step: flo
 
 
 @called
-def handed_on(
+def update_velocities(
     velocity: Vector, rate: Vector, d: Vector, mass: Vector, bodies: Bodies, rule: Rule, step: float
 ) -> float:
     """Set velocities and accelerations (q,) to those after the step d (q,); return the loss [J].
@@ -44,7 +44,7 @@ def handed_on(
     for a in range(q):
         after = (d[a] / step - velocity[a]) / (beta * step) - (0.5 / beta - 1.0) * rate[a]
         jump[a], rate[a] = after - rate[a], after
-    applied(flow, mass, bodies, jump)
+    times_blocks(flow, mass, bodies, jump)
     by_speed = step * (1.0 - gamma - alpha_m)
     by_rate = step * step * (beta + 0.5 - gamma - 0.5 * alpha_m)
     by_jump = step * step * (alpha_m * (0.5 - beta) - 0.5 * square_of(1.0 - gamma))

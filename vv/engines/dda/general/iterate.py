@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.dda.general.assemble import contact_pull, profile, stiffness
-from vv.engines.dda.general.bodies import Bodies, Motion, applied
+from vv.engines.dda.general.assemble import assemble_stiffness, contact_force, fill_profile
+from vv.engines.dda.general.bodies import Bodies, Motion, times_blocks
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import factorise, substitute
 from vv.engines.dda.general.newton import newton
@@ -18,7 +18,9 @@ from vv.scene import Vector
 
 
 @called
-def lightness(touch: Touch, state: Index, bodies: Bodies, step: float, weight: float) -> Vector:
+def inertia_stiffness(
+    touch: Touch, state: Index, bodies: Bodies, step: float, weight: float
+) -> Vector:
     """The stiffness [N/m] by which inertia resists slip at contacts (c,): weight m/D^2 each."""
     closed = zero_numbers(len(bodies.mass))
     for k in range(len(touch.key)):
@@ -59,9 +61,9 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
     right, constant = numbers(q), numbers(q)
     used, rub = counts(count), zero_rows(count)
     relative, shut = zero_rows(count), zero_rows(count)
-    profile(first, bodies, touch)
-    applied(constant, mass, bodies, begun)
-    applied(right, elastic, bodies, motion.strain)
+    fill_profile(first, bodies, touch)
+    times_blocks(constant, mass, bodies, begun)
+    times_blocks(right, elastic, bodies, motion.strain)
     for a in range(q):
         constant[a] = outer[a] + weight / step * constant[a] - right[a]
     for k in range(count):
@@ -72,12 +74,14 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
         for k in range(count):
             used[k] = touch.state[k]
         if fresh:
-            stiffness(matrix, first, mass, bodies, touch, used, step, weight, kn, ks, elastic)
+            assemble_stiffness(
+                matrix, first, mass, bodies, touch, used, step, weight, kn, ks, elastic
+            )
             factorise(matrix, first)
         for a in range(q):
             right[a] = constant[a]
         for k in range(count):
-            pull = contact_pull(
+            pull = contact_force(
                 k, touch, used[k], touch.push[k], at(touch.way, k), at(shut, k), kn, ks, mu
             )
             for m in range(touch.columns[k]):
@@ -85,7 +89,7 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
         substitute(matrix, first, right, d)
         solved += 1
         fresh, ended = False, True
-        ease = lightness(touch, used, bodies, step, weight)
+        ease = inertia_stiffness(touch, used, bodies, step, weight)
         for k in range(count):
             n = at(touch.normal, k)
             moves = add_scaled(NOWHERE, -1.0, at(shut, k))

@@ -5,18 +5,18 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index, Planes, Shapes
-from vv.engines.dda.general.assemble import pushed
+from vv.engines.dda.general.assemble import apply_loads
 from vv.engines.dda.general.bodies import (
     Bodies,
     Motion,
-    applied,
-    copied,
+    centre_displacement,
+    copy_motion,
     copy_rows,
     displace,
-    masses,
-    travelled,
+    fill_masses,
+    times_blocks,
 )
-from vv.engines.dda.general.contact import Touch, closed, found, touch_room
+from vv.engines.dda.general.contact import Touch, close_initial, contact_arrays, find_contacts
 from vv.engines.dda.general.energy import (
     BASE,
     CREATED,
@@ -36,15 +36,19 @@ from vv.engines.dda.general.energy import (
     SOLVED,
     STRAIN,
     TERMS,
-    audit,
-    close_step,
-    held,
+    add_contact_energies,
+    check_momentum,
+    store_energies,
 )  # fmt: skip
-from vv.engines.dda.general.inertia import Rule, brought, handed_on
+from vv.engines.dda.general.inertia import Rule, inertia_terms, update_velocities
 from vv.engines.dda.general.iterate import iterate
-from vv.engines.dda.general.multipliers import bear, close_borne, fall
-from vv.engines.dda.general.rows import lost, note, press
-from vv.engines.dda.general.turning import convected
+from vv.engines.dda.general.multipliers import (
+    add_multiplier_energies,
+    energy_of_fall,
+    iterate_multipliers,
+)
+from vv.engines.dda.general.rows import diverged, fill_forces, write_row
+from vv.engines.dda.general.turning import rotational_loads
 from vv.engines.dda.limits import CUTS, GAIN
 from vv.engines.dda.stepping import HALF_LEAP, IMPLICIT
 from vv.engines.kernels.arrays import (
@@ -68,7 +72,7 @@ HALF: Rule = (HALF_LEAP.alpha_m, HALF_LEAP.alpha_f, HALF_LEAP.beta, HALF_LEAP.ga
 
 
 @called
-def shifted(
+def move_walls(
     ahead: Vector, moved: Vector, shift: Vector, base: Drive, starts: Starts, time: float,
     share: float,
 ) -> None:  # fmt: skip
@@ -80,7 +84,7 @@ def shifted(
 
 
 @lent
-def forget(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
+def restore_states(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
     """Restore the states of contacts after an iteration that did not converge."""
     for k in range(len(touch.key)):
         touch.state[k], touch.push[k] = state[k], push[k]
@@ -129,8 +133,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     which has DDA's own; tolerance, iterations, newton, felt, terms, turns, follow, dd, multipliers:
     see `Formulation`; hold: 1 where its `charged` is true, else 0; begun: the motion at the start;
     motion: is set to that at the end; base, starts: see `drives`; shaking: an acceleration of all
-    bodies; kn, ks [N/m] and mu of each contact point; reach [m]: see `found`; elastic: (q, 12)
-    stiffness of strains [N m], laid out as `masses`.
+    bodies; kn, ks [N/m] and mu of each contact point; reach [m]: see `find_contacts`; elastic: (q,
+    12) stiffness of strains [N m], laid out as `fill_masses`.
 
     Every `stride` steps a row is written: path (k, b, 21) of the observed blocks: displacement,
     velocity, strain tensor, force of contacts and shaking and its impulse since t = 0. The force is
@@ -149,12 +153,14 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     ledger, worst, done = zero_numbers(TERMS), zero_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
     if multipliers > 0:  # no energy in springs: allow for rounding
-        spare = fall(bodies, reach)
-    copied(motion, begun)
-    touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
-    closed(touch, motion.strain, kn, ks, mu, hold)
-    masses(mass, bodies, motion)
-    held(ledger, touch, bodies, motion, mass, store, stores, elastic)
+        spare = energy_of_fall(bodies, reach)
+    copy_motion(motion, begun)
+    touch = find_contacts(
+        contact_arrays(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach
+    )
+    close_initial(touch, motion.strain, kn, ks, mu, hold)
+    fill_masses(mass, bodies, motion)
+    store_energies(ledger, touch, bodies, motion, mass, store, stores, elastic)
     origin = same_rows(motion.centre, len(motion.centre))
     pressed, given = zero_rows(len(origin)), zero_rows(len(origin))
 
@@ -164,14 +170,14 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
             while begin < dt:
                 shake, share = NOWHERE, 1.0 - now[1]
                 if done >= 0:
-                    shifted(ahead, moved, shift, base, starts, done * dt + begin + part, share)
+                    move_walls(ahead, moved, shift, base, starts, done * dt + begin + part, share)
                     shake = value(shaking, done * dt + begin + feels * part)
-                weight = brought(begun_by, motion.velocity, rate, now, part)
+                weight = inertia_terms(begun_by, motion.velocity, rate, now, part)
                 count = len(touch.key)
                 state, push = same_counts(touch.state, count), same_numbers(touch.push, count)
                 way = same_rows(touch.way, count)
-                pushed(outer, bodies, shake)
-                convected(turn, bodies, motion, mass, elastic, part, terms, turns)
+                apply_loads(outer, bodies, shake)
+                rotational_loads(turn, bodies, motion, mass, elastic, part, terms, turns)
                 for a in range(q):
                     outer[a] += turn[a]
                 if multipliers == 0:
@@ -181,14 +187,14 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     )  # fmt: skip
                 else:
                     spring = same_rows(touch.spring, count)
-                    ended, solved, used, rub, relative = bear(
+                    ended, solved, used, rub, relative = iterate_multipliers(
                         u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight,
                         kn, ks, mu, hold, tolerance, iterations, newton, elastic, multipliers,
                     )  # fmt: skip
                 worst[SOLVED] += solved
                 worst[ITERATIONS] = larger(worst[ITERATIONS], float(solved))
                 if not ended and part > dt / CUTS:
-                    forget(touch, state, push, way)
+                    restore_states(touch, state, push, way)
                     if multipliers > 0:
                         copy_rows(touch.spring, spring)
                     part *= 0.5
@@ -197,35 +203,41 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 worst[FAILED] += 0 if ended else 1
                 over = 1.0 / share
                 if multipliers == 0:
-                    close_step(
+                    add_contact_energies(
                         ledger, worst, pull, touch, used, rub, relative, moved, over, kn, ks, mu,
                         hold,
                     )  # fmt: skip
                 else:
-                    close_borne(ledger, worst, pull, touch, used, rub, relative, moved, ks, mu)
-                press(pressed, given, touch, bodies, shake, part)
-                audit(worst, pull, outer, u, begun_by, part, weight, bodies, motion, mass, elastic)
+                    add_multiplier_energies(
+                        ledger, worst, pull, touch, used, rub, relative, moved, ks, mu
+                    )
+                fill_forces(pressed, given, touch, bodies, shake, part)
+                check_momentum(
+                    worst, pull, outer, u, begun_by, part, weight, bodies, motion, mass, elastic
+                )
                 for a in range(q):
                     d[a] = over * u[a]
                 for i in range(len(bodies.mass)):
-                    line = travelled(bodies, i, d)
+                    line = centre_displacement(bodies, i, d)
                     ledger[GRAVITY] += dot(line, at(bodies.weight, i))
                     ledger[LOAD] += dot(line, at(bodies.load, i))
                     ledger[SHAKING] += bodies.mass[i] * dot(line, shake)
-                ledger[NUMERICAL] += (0.5 - now[1]) * applied(flow, elastic, bodies, d)
-                ledger[NUMERICAL] += handed_on(motion.velocity, rate, d, mass, bodies, now, part)
+                ledger[NUMERICAL] += (0.5 - now[1]) * times_blocks(flow, elastic, bodies, d)
+                ledger[NUMERICAL] += update_velocities(
+                    motion.velocity, rate, d, mass, bodies, now, part
+                )
                 now, feels = rule, felt
                 if multipliers > 0:  # accelerations of impacts do not act in the next step
                     for a in range(q):
                         rate[a] = 0.0
                 displace(motion, bodies, shapes, d, terms, follow)
-                held(ledger, touch, bodies, motion, mass, store, stores, elastic)
+                store_energies(ledger, touch, bodies, motion, mass, store, stores, elastic)
                 if row > 0:
                     works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
                     ever = larger(ever, works)
                     most = GAIN * (put_in + ever) + spare
-                if lost(ledger, most):  # contacts of diverged blocks cannot be detected
-                    note(path[row], energy[row], report[row], watched, origin,
+                if diverged(ledger, most):  # contacts of diverged blocks cannot be detected
+                    write_row(path[row], energy[row], report[row], watched, origin,
                          bodies, motion, pressed, given, ledger, worst)  # fmt: skip
                     return row
                 ledger[DAMPED] += (1.0 - dd * dd) * ledger[KINETIC]
@@ -235,9 +247,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 for a in range(q):  # inertia also changes with the new positions
                     kept -= turn[a] * d[a]
                 copy_rows(shift, ahead)
-                touch = found(touch, bodies, motion, shapes, moves, planes, shift, depth, reach)
-                masses(mass, bodies, motion)
-                held(ledger, touch, bodies, motion, mass, store, stores, elastic)
+                touch = find_contacts(
+                    touch, bodies, motion, shapes, moves, planes, shift, depth, reach
+                )
+                fill_masses(mass, bodies, motion)
+                store_energies(ledger, touch, bodies, motion, mass, store, stores, elastic)
                 anew = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] - kept
                 ledger[FOUND] += anew
                 ledger[CREATED] += larger(0.0, anew)
@@ -256,10 +270,10 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
             for term in range(STRAIN + 1, TERMS):
                 ledger[term] = 0.0
             put_in = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
-        note(
+        write_row(
             path[row], energy[row], report[row], watched, origin, bodies, motion, pressed, given,
             ledger, worst,
         )  # fmt: skip
-        if lost(ledger, most):
+        if diverged(ledger, most):
             return row
     return len(path)

@@ -9,32 +9,32 @@ from vv.scene import Vector
 
 
 @lent
-def mapped(matrix: Vector, a: Triple) -> Triple:
+def times_vector(matrix: Vector, a: Triple) -> Triple:
     """The product of a matrix (3, 3) and the vector a."""
     return dot(at(matrix, 0), a), dot(at(matrix, 1), a), dot(at(matrix, 2), a)
 
 
 @lent
-def product(second: Vector, one: Vector, two: Vector) -> float:
+def moment_product(second: Vector, one: Vector, two: Vector) -> float:
     """tr(one second two^T) of slopes (3, 3): the integral of rho (one r) . (two r) [kg m2]."""
     total = 0.0
     for r in range(3):
-        total += dot(mapped(second, at(one, r)), at(two, r))
+        total += dot(times_vector(second, at(one, r)), at(two, r))
     return total
 
 
 @called
-def reshaped(out: Vector, whole: Vector, second: Vector) -> None:
+def congruent(out: Vector, whole: Vector, second: Vector) -> None:
     """out = whole second whole^T, all (3, 3); out may be second, which is symmetric."""
     half = rows(3)
     for r in range(3):
-        put(half, r, mapped(whole, at(second, r)))
+        put(half, r, times_vector(whole, at(second, r)))
     for r in range(3):
-        put(out, r, mapped(whole, (half[0, r], half[1, r], half[2, r])))
+        put(out, r, times_vector(whole, (half[0, r], half[1, r], half[2, r])))
 
 
 @called
-def exponential(whole: Vector, slope: Vector, terms: int) -> None:
+def fill_exponential(whole: Vector, slope: Vector, terms: int) -> None:
     """Fill whole (3, 3): the exponential series of slope (3, 3), to `terms` terms."""
     old = rows(3)
     for r in range(3):

@@ -12,7 +12,7 @@ import numpy as np
 from vv.engines.blocks.checks import size
 from vv.engines.blocks.geometry import depth_axis, planes, shapes
 from vv.engines.dda.formulation import Formulation
-from vv.engines.dda.general.unknowns import columns, rates
+from vv.engines.dda.general.unknowns import initial_rates, unknowns_of
 from vv.engines.dda.limits import (
     EASED,
     EASING,
@@ -44,7 +44,7 @@ class General:
     @property
     def unknowns(self) -> int:
         """The number of unknowns of all blocks."""
-        return sum(len(columns(b, self.scene.axes)[0]) for b in self.scene.blocks)
+        return sum(len(unknowns_of(b, self.scene.axes)[0]) for b in self.scene.blocks)
 
     @property
     def terms(self) -> frozenset[Term]:
@@ -204,7 +204,7 @@ class General:
         from vv.engines.dda.general.bodies import Bodies
 
         scene, blocks = self.scene, self.scene.blocks
-        parts = [columns(block, scene.axes) for block in blocks]
+        parts = [unknowns_of(block, scene.axes) for block in blocks]
         mass = np.array([block.mass for block in blocks])
         start = np.cumsum([0, *(len(part[0]) for part in parts)]).astype(np.int64)
         return Bodies(
@@ -222,7 +222,7 @@ class General:
         whole = np.zeros((self.unknowns, 12))
         first = 0
         for block in self.scene.blocks:
-            part = columns(block, self.scene.axes)[2]
+            part = unknowns_of(block, self.scene.axes)[2]
             whole[first : first + len(part), : len(part)] = part
             first += len(part)
         return whole
@@ -235,7 +235,7 @@ class General:
         shape = shapes(blocks)
         centre = np.array([block.centroid() for block in blocks])
         owner = np.repeat(np.arange(len(blocks)), np.diff(shape.vertex_start))
-        starts = [rates(b, scene.axes) for b in blocks]
+        starts = [initial_rates(b, scene.axes) for b in blocks]
         velocity = np.concatenate(starts)
         second = [0.5 * np.trace(b.inertia) * np.eye(3) - b.inertia for b in blocks]
         vertex = shape.vertex + centre[owner]

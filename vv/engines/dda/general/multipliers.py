@@ -21,7 +21,7 @@ from vv.engines.dda.general.energy import (
     NUMERICAL,
     PEAK,
 )
-from vv.engines.dda.general.iterate import iterate, lightness
+from vv.engines.dda.general.iterate import inertia_stiffness, iterate
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM, HELD, PATIENT, SLOW, STUCK
 from vv.engines.kernels.arrays import larger, same_numbers
@@ -40,7 +40,7 @@ def length(a: Triple) -> float:
 
 
 @lent
-def fall(bodies: Bodies, reach: float) -> float:
+def energy_of_fall(bodies: Bodies, reach: float) -> float:
     """The energy [J] that blocks gain if all move by `reach` [m] under their loads.
 
     It takes the place of stored energy in the limit beyond which a run has diverged.
@@ -52,7 +52,7 @@ def fall(bodies: Bodies, reach: float) -> float:
 
 
 @lent
-def taken_up(
+def take_over_forces(
     touch: Touch, used: Index, rub: Vector, relative: Vector, gap: Vector, stiff: float,
     shear: float, mu: float,
 ) -> tuple[float, float, bool]:  # fmt: skip
@@ -92,7 +92,7 @@ def taken_up(
 
 
 @lent
-def blurred(motion: Motion) -> float:
+def gap_rounding(motion: Motion) -> float:
     """The size below which a gap [m] is rounding of the coordinates from which it is computed."""
     far = 0.0
     for k in range(len(motion.vertex)):
@@ -101,7 +101,7 @@ def blurred(motion: Motion) -> float:
 
 
 @lent
-def relieve(touch: Touch, gap: Vector, stiff: float, times: float) -> None:
+def shorten_springs(touch: Touch, gap: Vector, stiff: float, times: float) -> None:
     """Shorten springs by what multipliers carry, when springs become `times` as stiff."""
     for k in range(len(touch.key)):
         touch.gap[k] = gap[k] - touch.push[k] / stiff
@@ -109,7 +109,7 @@ def relieve(touch: Touch, gap: Vector, stiff: float, times: float) -> None:
 
 
 @lent
-def jammed(touch: Touch) -> None:
+def restart_sticking(touch: Touch) -> None:
     """Restart with all contacts sticking: for a jammed block no slipping state has a solution."""
     for k in range(len(touch.key)):
         touch.state[k], touch.push[k] = STICK, 0.0
@@ -117,7 +117,7 @@ def jammed(touch: Touch) -> None:
 
 
 @called
-def bear(
+def iterate_multipliers(
     d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
     moved: Vector, begun: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
     hold: float, tolerance: float, iterations: int, newton: int, elastic: Vector, most: int,
@@ -131,41 +131,41 @@ def bear(
     tangential multipliers over ks.
     """
     gap, firm = same_numbers(touch.gap, len(touch.key)), kn
-    for light in lightness(touch, touch.state, bodies, step, weight):
+    for light in inertia_stiffness(touch, touch.state, bodies, step, weight):
         firm = larger(firm, FIRM * light)
     times, passes, solved, before, ended, anew = firm / kn, 0, 0, np.inf, False, False
-    blur = blurred(motion)
-    relieve(touch, gap, firm, times)
+    blur = gap_rounding(motion)
+    shorten_springs(touch, gap, firm, times)
     while True:
         still, more, used, rub, relative = iterate(
             d, touch, bodies, motion, mass, outer, moved, begun, step, weight, firm,
             ks * times, mu, hold, tolerance, iterations, newton, elastic,
         )  # fmt: skip
         solved, passes = solved + more, passes + 1
-        force, off, turns = taken_up(touch, used, rub, relative, gap, firm, ks * times, mu)
+        force, off, turns = take_over_forces(touch, used, rub, relative, gap, firm, ks * times, mu)
         slow = off > SLOW * before
         stuck = off > STUCK * before and off <= firm * blur
         ended = off <= HELD * force or (stuck and (not turns or passes >= PATIENT))
         if ended or passes >= most or (anew and not still):
             break
         if not still:
-            jammed(touch)
+            restart_sticking(touch)
             anew = True
         grow = 10.0 if slow else 1.0
         before, firm, times = off, firm * grow, times * grow
-        relieve(touch, gap, firm, grow)
-    relieve(touch, gap, np.inf, 1.0 / times)
+        shorten_springs(touch, gap, firm, grow)
+    shorten_springs(touch, gap, np.inf, 1.0 / times)
     return ended, solved, used, rub, relative
 
 
 @lent
-def close_borne(
+def add_multiplier_energies(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
     relative: Vector, moved: Vector, ks: float, mu: float,
 ) -> None:  # fmt: skip
     """As `close_step`, for contacts that store no energy: all work but that of friction is lost.
 
-    touch: as `bear` left it.
+    touch: as `iterate_multipliers` left it.
     """
     for a in range(len(pull)):
         pull[a] = 0.0

@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.dda.general.assemble import profile
-from vv.engines.dda.general.bodies import Bodies, applied
+from vv.engines.dda.general.assemble import fill_profile
+from vv.engines.dda.general.bodies import Bodies, times_blocks
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import back, eliminate
 from vv.engines.dda.law import OPEN, SLIDE, STICK
@@ -24,7 +24,7 @@ from vv.scene import Vector
 
 
 @inlined
-def stiffened(
+def force_decrease(
     n: Triple, way: Triple, state: int, turn: float, kn: float, ks: float, mu: float, a: Triple
 ) -> Triple:
     """The decrease of a contact's force [N] for a relative displacement a [m].
@@ -59,7 +59,9 @@ def tangent(
         if touch.state[k] != OPEN:
             n, way = at(touch.normal, k), at(touch.way, k)
             for j in range(touch.columns[k]):
-                fall = stiffened(n, way, touch.state[k], turn[k], kn, ks, mu, at(touch.field[k], j))
+                fall = force_decrease(
+                    n, way, touch.state[k], turn[k], kn, ks, mu, at(touch.field[k], j)
+                )
                 for m in range(touch.columns[k]):
                     matrix[touch.column[k, m], touch.column[k, j]] += dot(
                         at(touch.field[k], m), fall
@@ -67,7 +69,7 @@ def tangent(
 
 
 @lent
-def moved_by(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
+def relative_motion(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
     """The displacement [m] of the second body of contact k relative to the first, for d (q,)."""
     moves = add_scaled(NOWHERE, -1.0, at(shut, k))
     for m in range(touch.columns[k]):
@@ -76,7 +78,7 @@ def moved_by(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
 
 
 @called
-def unbalanced(
+def residual_energy(
     d: Vector, touch: Touch, turn: Vector, bodies: Bodies, mass: Vector, constant: Vector,
     shut: Vector, step: float, weight: float, kn: float, ks: float, mu: float, elastic: Vector,
 ) -> float:  # fmt: skip
@@ -86,12 +88,12 @@ def unbalanced(
     """
     q, scale = len(d), weight / (step * step)
     left, strained = numbers(q), numbers(q)
-    applied(left, mass, bodies, d)
-    applied(strained, elastic, bodies, d)
+    times_blocks(left, mass, bodies, d)
+    times_blocks(strained, elastic, bodies, d)
     for a in range(q):
         left[a] = scale * left[a] + strained[a] - constant[a]
     for k in range(len(touch.key)):
-        n, moves = at(touch.normal, k), moved_by(k, touch, d, shut)
+        n, moves = at(touch.normal, k), relative_motion(k, touch, d, shut)
         opened = dot(moves, n)
         trial = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
         push, length = -kn * (touch.gap[k] + opened), np.sqrt(dot(trial, trial))
@@ -134,9 +136,9 @@ def newton(
     right, ahead, trial = numbers(q), numbers(q), numbers(q)
     used, rub, relative = counts(count), zero_rows(count), zero_rows(count)
     turn = zero_numbers(count)
-    profile(first, bodies, touch)
+    fill_profile(first, bodies, touch)
     rest = bodies, mass, constant, shut, step, weight, kn, ks, mu, elastic
-    left = unbalanced(d, touch, turn, *rest)
+    left = residual_energy(d, touch, turn, *rest)
     ended, solved = False, 0
     while not ended and solved < most:
         tangent(matrix, first, mass, bodies, touch, turn, step, weight, kn, ks, mu, elastic)
@@ -150,13 +152,17 @@ def newton(
                 still = add_scaled(
                     add_scaled(at(touch.spring, k), touch.gap[k], n), -1.0, at(shut, k)
                 )
-                pull = stiffened(n, way, used[k], turn[k], kn, ks, mu, still)
+                pull = force_decrease(n, way, used[k], turn[k], kn, ks, mu, still)
                 for m in range(touch.columns[k]):
                     right[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
         back(matrix, first, right, ahead)
         solved += 1
         for k in range(count):
-            n, way, moves = at(touch.normal, k), at(touch.way, k), moved_by(k, touch, ahead, shut)
+            n, way, moves = (
+                at(touch.normal, k),
+                at(touch.way, k),
+                relative_motion(k, touch, ahead, shut),
+            )
             opened, taken = dot(moves, n), NOWHERE
             if used[k] == SLIDE:
                 taken = add_scaled(NOWHERE, -mu * kn * (touch.gap[k] + opened), way)
@@ -164,7 +170,7 @@ def newton(
                 taken = add_scaled(taken, turn[k], add_scaled(stretch, -dot(way, stretch), way))
             put(relative, k, moves)
             put(rub, k, taken)
-        now, share, ended = unbalanced(ahead, touch, turn, *rest), 1.0, True
+        now, share, ended = residual_energy(ahead, touch, turn, *rest), 1.0, True
         for k in range(count):
             ended = ended and touch.state[k] == used[k]
             if touch.state[k] == SLIDE:
@@ -175,7 +181,7 @@ def newton(
             share *= 0.5
             for a in range(q):
                 trial[a] = d[a] + share * (ahead[a] - d[a])
-            now = unbalanced(trial, touch, turn, *rest)
+            now = residual_energy(trial, touch, turn, *rest)
         for a in range(q):
             d[a] = ahead[a] if share == 1.0 else trial[a]
         left = now

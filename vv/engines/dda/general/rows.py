@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.dda.general.bodies import Bodies, Motion, gradient, travelled
+from vv.engines.dda.general.bodies import Bodies, Motion, centre_displacement, fill_gradient
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.energy import KINETIC, NORMAL, REPORTS, SHEAR, STRAIN, TERMS
 from vv.engines.kernels.arrays import rows
@@ -15,14 +15,14 @@ from vv.scene import Vector
 
 
 @lent
-def lost(ledger: Vector, most: float) -> bool:
+def diverged(ledger: Vector, most: float) -> bool:
     """Whether kinetic and elastic energy together exceed `most` [J] or are not finite."""
     total = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
     return not (total <= most and total < np.inf)
 
 
 @lent
-def press(
+def fill_forces(
     pressed: Vector, given: Vector, touch: Touch, bodies: Bodies, shake: Triple, step: float
 ) -> None:
     """Fill pressed (n, 3) with the forces of contacts and shaking on blocks in a step [N].
@@ -42,16 +42,16 @@ def press(
 
 
 @called
-def note(
+def write_row(
     path: Vector, energy: Vector, report: Vector, watched: Index, origin: Vector,
     bodies: Bodies, motion: Motion, pressed: Vector, given: Vector, ledger: Vector, worst: Vector,
 ) -> None:  # fmt: skip
-    """Write a row: path (b, 21), energy (13,) and report (9,); pressed, given: see `press`."""
+    """Write a row: path (b, 21), energy (13,), report (9,); pressed, given: see `fill_forces`."""
     tensor = rows(3)
     for b in range(len(watched)):
         i = watched[b]
-        rate = travelled(bodies, i, motion.velocity)
-        gradient(tensor, bodies, bodies.strains[i], bodies.start[i + 1], motion.strain)
+        rate = centre_displacement(bodies, i, motion.velocity)
+        fill_gradient(tensor, bodies, bodies.strains[i], bodies.start[i + 1], motion.strain)
         for c in range(3):
             path[b, c] = motion.centre[i, c] - origin[i, c] - motion.rounded[i, c]
             path[b, 3 + c] = rate[c]

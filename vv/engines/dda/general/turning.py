@@ -10,9 +10,15 @@ without contact.
 
 from __future__ import annotations
 
-from vv.engines.dda.general.bodies import Bodies, Motion, applied, gradient, stretched
+from vv.engines.dda.general.bodies import (
+    Bodies,
+    Motion,
+    fill_deformation,
+    fill_gradient,
+    times_blocks,
+)
 from vv.engines.dda.general.linear import factorise, substitute
-from vv.engines.dda.general.matrices import product, reshaped
+from vv.engines.dda.general.matrices import congruent, moment_product
 from vv.engines.kernels.arrays import (
     numbers,
     rows,
@@ -27,7 +33,7 @@ from vv.scene import Vector
 
 
 @lent
-def turns_freely(bodies: Bodies, i: int, rate: Vector) -> bool:
+def has_rotational_loads(bodies: Bodies, i: int, rate: Vector) -> bool:
     """Whether block i rotates, and has more unknowns without translation than one rotation.
 
     A single rotation has no such load.
@@ -41,15 +47,15 @@ def turns_freely(bodies: Bodies, i: int, rate: Vector) -> bool:
 
 
 @called
-def convected(
+def rotational_loads(
     turn: Vector, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
     step: float, terms: int, rounds: int,
 ) -> None:  # fmt: skip
     """Fill turn (q,) with these loads [N m] over a step [s], in which only elasticity acts besides.
 
-    mass, elastic: (q, 12), see `masses`; terms: see `stretched`; rounds: of the iteration for the
-    loads and the motion at the end of the step, which depend on each other; 0 for no loads. It is
-    one function since all of its parts share the arrays that it allocates.
+    mass, elastic: (q, 12), see `masses`; terms: see `fill_deformation`; rounds: of the iteration
+    for the loads and the motion at the end of the step, which depend on each other; 0 for no loads.
+    It is one function since all of its parts share the arrays that it allocates.
     """
     q = len(turn)
     begin, whole, second, flow, end = rows(3), rows(3), rows(3), rows(3), rows(3)
@@ -58,15 +64,15 @@ def convected(
     reached, borne = numbers(q), numbers(q)
     for a in range(len(turn)):
         reached[a] = motion.strain[a] + step * motion.velocity[a]
-    applied(borne, elastic, bodies, reached)
+    times_blocks(borne, elastic, bodies, reached)
     for i in range(len(bodies.mass)):
         first, last = bodies.start[i], bodies.start[i + 1]
         for a in range(first, last):
             turn[a] = 0.0
-        if rounds == 0 or not turns_freely(bodies, i, motion.velocity):
+        if rounds == 0 or not has_rotational_loads(bodies, i, motion.velocity):
             continue
-        gradient(begin, bodies, first, last, motion.velocity)
-        reshaped(flow, begin, motion.second[i])
+        fill_gradient(begin, bodies, first, last, motion.velocity)
+        congruent(flow, begin, motion.second[i])
         for a in range(first, last):
             for b in range(a - first + 1):
                 matrix[a - first, b] = mass[a, b] + 0.5 * step * step * elastic[a, b]
@@ -75,13 +81,13 @@ def convected(
         for _ in range(rounds):
             for a in range(first, last):
                 d[a] = 0.5 * step * (motion.velocity[a] + ahead[a])
-            stretched(whole, bodies, i, d, terms)
-            reshaped(second, whole, motion.second[i])
-            gradient(end, bodies, first, last, ahead)
+            fill_deformation(whole, bodies, i, d, terms)
+            congruent(second, whole, motion.second[i])
+            fill_gradient(end, bodies, first, last, ahead)
             for a in range(first, last):
                 slope = bodies.slope[a]
-                load[a - first] = product(motion.second[i], slope, end)
-                load[a - first] -= product(second, slope, end)
+                load[a - first] = moment_product(motion.second[i], slope, end)
+                load[a - first] -= moment_product(second, slope, end)
                 for r in range(3):
                     load[a - first] += step * dot(at(slope, r), at(flow, r))
             for a in range(first, last):

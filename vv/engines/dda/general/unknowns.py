@@ -9,7 +9,7 @@ from vv.scene import Block, Elastic, Vector, volume_and_centroid
 ORDER = tuple((i, j) for i in range(3) for j in range(i, 3))
 
 
-def columns(block: Block, axes: Vector) -> tuple[Vector, Vector, Vector]:
+def unknowns_of(block: Block, axes: Vector) -> tuple[Vector, Vector, Vector]:
     """The unknowns of a block: lines (q, 3), slopes (q, 3, 3) and stiffness (q, q) [N m].
 
     Translations, rotations and, if it is elastic, strains come in this order.
@@ -42,7 +42,7 @@ def hooke(elastic: Elastic, strains: tuple[tuple[int, int], ...]) -> Vector:
     return np.asarray(np.linalg.inv(compliance[np.ix_(kept, kept)]))
 
 
-def rates(block: Block, axes: Vector) -> Vector:
+def initial_rates(block: Block, axes: Vector) -> Vector:
     """The rates of the unknowns at t = 0 (q,); those of strains are zero."""
     moving, turning = (axes @ block.velocity)[block.free], (axes @ block.spin)[block.free_spin]
     return np.concatenate([moving, turning, np.zeros(len(block.strains))])

@@ -20,7 +20,7 @@ RESIDUAL, MOST, DEEPEST, CUT, FAILED, SOLVED, EXCESS, ADRIFT, PEAK = range(9)
 
 
 @inlined
-def book_normal(
+def add_normal_energies(
     spent: Vector, block: Block, used: int, before: float, after: float, moved: float
 ) -> float:
     """Add the energies of the normal spring in a part of a step; return its force [N].
@@ -38,7 +38,7 @@ def book_normal(
 
 
 @inlined
-def book_stuck(
+def add_stick_energies(
     spent: Vector, spring: Triple, slip: Triple, moved: Triple, points: int, ks: float
 ) -> Triple:
     """Add the energies of a tangential spring that sticks; return its new stretch [m]."""
@@ -51,7 +51,7 @@ def book_stuck(
 
 
 @inlined
-def book_slid(
+def add_slip_energies(
     spent: Vector,
     spring: Triple,
     slip: Triple,
@@ -76,14 +76,14 @@ def book_slid(
 
 
 @inlined
-def book_let_go(spent: Vector, spring: Triple, points: int, ks: float) -> Triple:
+def add_opening_energies(spent: Vector, spring: Triple, points: int, ks: float) -> Triple:
     """Add the energy lost by a tangential spring when its contact opens; return zero stretch."""
     spent[LOST] += 0.5 * points * ks * dot(spring, spring)
     return NOWHERE
 
 
 @inlined
-def book_forces(
+def add_works(
     spent: Vector, block: Block, dd: float, d: Triple, new: Triple, shake: Triple
 ) -> None:
     """Add the work of gravity, loads and shaking over d [m], and the loss by kinetic damping.
@@ -98,7 +98,7 @@ def book_forces(
 
 
 @inlined
-def note_momentum(worst: Vector, gain: Triple, outer: Triple, pull: Triple, held: float) -> None:
+def check_momentum(worst: Vector, gain: Triple, outer: Triple, pull: Triple, held: float) -> None:
     """Store the largest error of the momentum balance and the largest force [N].
 
     gain: rate of momentum; pull: force of contact; held: normal force of each of its points.
@@ -110,7 +110,7 @@ def note_momentum(worst: Vector, gain: Triple, outer: Triple, pull: Triple, held
 
 
 @inlined
-def write(
+def write_row(
     path: Vector, energy: Vector, row: int, block: Block, motion: Motion, origin: Triple,
     contact: Contact, friction: Friction | None, spent: Vector,
 ) -> float:  # fmt: skip

@@ -51,7 +51,7 @@ class Solved(NamedTuple):
 
 
 @inlined
-def posed(block: Block, motion: Motion, part: float, wall: Triple, shake: Triple) -> Posed:
+def equations_of(block: Block, motion: Motion, part: float, wall: Triple, shake: Triple) -> Posed:
     """The equations of a part of a step [s]; wall: its last displacement [m]; shake: [m/s2]."""
     normal, shift = block.normal, motion.shift
     moved = add_scaled(wall, -1.0, shift)
@@ -65,7 +65,7 @@ def posed(block: Block, motion: Motion, part: float, wall: Triple, shake: Triple
 
 
 @inlined
-def iterated(
+def iterate(
     part: Posed, begun: Contact, rule: Rule, block: Block, friction: Friction | None, worst: Vector
 ) -> Solved:
     """Solve with an assumed state of contact until the solution calls for that state."""
@@ -73,12 +73,12 @@ def iterated(
     now, force, along = begun.state, begun.push, begun.way
     for count in range(1, rule.iterations + 1):  # noqa: B007 - count is used below
         used = now
-        d_n, d_t, rub = displaced(part, used, force, along, spring, block, friction)
+        d_n, d_t, rub = displacements_for(part, used, force, along, spring, block, friction)
         after = part.space + d_n - part.moved_n
         slip = add_scaled(d_t, -1.0, part.moved_t)
         begun = Contact(used, 0.0, along, spring)
         ease = part.inertia / block.points
-        now, force, along = called_for(begun, after, slip, block.kn, friction, rule, ease)
+        now, force, along = required_state(begun, after, slip, block.kn, friction, rule, ease)
         ended = now == used
         if friction is not None and used == SLIDE and now == SLIDE:
             off = add_scaled(add_scaled(NOWHERE, friction.mu * force, along), -1.0, rub)
@@ -94,7 +94,7 @@ def iterated(
 
 
 @inlined
-def displaced(
+def displacements_for(
     part: Posed,
     used: int,
     force: float,
@@ -120,7 +120,7 @@ def displaced(
 
 
 @inlined
-def called_for(
+def required_state(
     used: Contact,
     after: float,
     slip: Triple,

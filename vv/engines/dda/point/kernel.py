@@ -19,15 +19,15 @@ from vv.engines.dda.point.books import (
     RESIDUAL,
     SHAKEN,
     WORKED,
-    book_forces,
-    book_let_go,
-    book_normal,
-    book_slid,
-    book_stuck,
-    note_momentum,
-    write,
+    add_normal_energies,
+    add_opening_energies,
+    add_slip_energies,
+    add_stick_energies,
+    add_works,
+    check_momentum,
+    write_row,
 )
-from vv.engines.dda.point.iteration import Posed, Solved, iterated, posed
+from vv.engines.dda.point.iteration import Posed, Solved, equations_of, iterate
 from vv.engines.kernels.arrays import zero_numbers
 from vv.engines.kernels.compiled import compiled, inlined
 from vv.engines.kernels.drive import travel, value
@@ -63,7 +63,7 @@ def slide_point(
     origin, put_in, ever, done = motion.x, 0.0, 0.0, -steps.settling
     for row in range(len(path)):
         for _ in range(steps.stride if row else steps.settling):
-            motion, contact = stepped(
+            motion, contact = step_block(
                 motion, contact, done, steps.dt, rule, block, friction, spent, worst
             )
             done += 1
@@ -71,7 +71,7 @@ def slide_point(
             origin = motion.x
             for k in range(ENERGIES):
                 spent[k] = 0.0
-        held = write(path, energy, row, block, motion, origin, contact, friction, spent)
+        held = write_row(path, energy, row, block, motion, origin, contact, friction, spent)
         for k in range(len(worst)):
             report[row, k] = worst[k]
         if row == 0:
@@ -104,7 +104,7 @@ def at_rest(block: Block, friction: Friction | None, hold: float) -> tuple[Tripl
 
 
 @inlined
-def stepped(
+def step_block(
     motion: Motion,
     contact: Contact,
     done: int,
@@ -118,9 +118,9 @@ def stepped(
     """The motion and contact after a step, which is divided where iterations do not converge."""
     begin, part = 0.0, dt
     while begin < dt:
-        wall, shake = driven(block.drives, done, done * dt + begin, part, rule.felt)
-        given = posed(block, motion, part, wall, shake)
-        found = iterated(given, contact, rule, block, friction, worst)
+        wall, shake = wall_and_shaking(block.drives, done, done * dt + begin, part, rule.felt)
+        given = equations_of(block, motion, part, wall, shake)
+        found = iterate(given, contact, rule, block, friction, worst)
         if not found.ended and part > dt / CUTS:
             part = 0.5 * part
             worst[CUT] += 1.0
@@ -128,13 +128,15 @@ def stepped(
         worst[FAILED] += 0.0 if found.ended else 1.0
         d = add_scaled(found.d_t, found.d_n, block.normal)
         new = add_scaled(add_scaled(NOWHERE, 2.0 / part, d), -1.0, motion.v)
-        contact, pull, held = booked(given, found, rule.hold, block, friction, spent, worst)
+        contact, pull, held = add_contact_energies(
+            given, found, rule.hold, block, friction, spent, worst
+        )
         c = given.inertia
         gain = add_scaled(add_scaled(NOWHERE, c, d), -c * part, motion.v)
-        note_momentum(worst, gain, given.outer, pull, held)
+        check_momentum(worst, gain, given.outer, pull, held)
         worst[DEEPEST] = max(worst[DEEPEST], -found.after)
-        book_forces(spent, block, rule.dd, d, new, shake)
-        motion = moved(motion, d, add_scaled(NOWHERE, rule.dd, new), wall)
+        add_works(spent, block, rule.dd, d, new, shake)
+        motion = displaced_motion(motion, d, add_scaled(NOWHERE, rule.dd, new), wall)
         begin += part
         if begin + part > dt * (1.0 + 1e-12):
             begin = dt
@@ -142,7 +144,7 @@ def stepped(
 
 
 @inlined
-def driven(
+def wall_and_shaking(
     drives: Drives | None, done: int, time: float, part: float, felt: float
 ) -> tuple[Triple, Triple]:
     """The displacement of the wall [m] at the end of a part of a step [s], and the shaking [m/s2].
@@ -157,7 +159,7 @@ def driven(
 
 
 @inlined
-def booked(
+def add_contact_energies(
     part: Posed,
     found: Solved,
     hold: float,
@@ -168,19 +170,21 @@ def booked(
 ) -> tuple[Contact, Triple, float]:
     """Add the energies of contact; return its new state, its force and its normal force [N]."""
     used, now, points, spring = found.used, found.contact, block.points, found.contact.spring
-    held = book_normal(spent, block, used, part.space, found.after, part.moved_n)
+    held = add_normal_energies(spent, block, used, part.space, found.after, part.moved_n)
     pull = add_scaled(NOWHERE, points * held, block.normal)
     if friction is not None:
         ks, rub, rubs = friction.ks, found.rub, add_scaled(NOWHERE, -1.0, found.rub)
         if used == STICK:
-            spring = book_stuck(spent, spring, found.slip, part.moved_t, points, ks)
+            spring = add_stick_energies(spent, spring, found.slip, part.moved_t, points, ks)
             rubs = add_scaled(NOWHERE, -ks, spring)
         elif used == SLIDE:
-            spring = book_slid(spent, spring, found.slip, part.moved_t, rub, block, ks, hold)
+            spring = add_slip_energies(
+                spent, spring, found.slip, part.moved_t, rub, block, ks, hold
+            )
             if now.state == SLIDE:
                 worst[RESIDUAL] = max(worst[RESIDUAL], found.wrong)
         else:
-            spring = book_let_go(spent, spring, points, ks)
+            spring = add_opening_energies(spent, spring, points, ks)
         pull = add_scaled(pull, points, rubs)
         beyond = np.sqrt(dot(rubs, rubs)) - friction.mu * max(held, 0.0)
         worst[EXCESS] = max(worst[EXCESS], beyond)
@@ -188,7 +192,7 @@ def booked(
 
 
 @inlined
-def moved(motion: Motion, d: Triple, v: Triple, wall: Triple) -> Motion:
+def displaced_motion(motion: Motion, d: Triple, v: Triple, wall: Triple) -> Motion:
     """The motion after a displacement d [m], with velocity v and the wall's displacement."""
     owed = add_scaled(d, -1.0, motion.rounded)
     there = add_scaled(motion.x, 1.0, owed)
