@@ -32,22 +32,22 @@ def follow_system(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all i
     duration: float,
     most: int,
     starts: Vector,
-    kept: Index,
-    began: Vector,
+    piece_states: Index,
+    piece_lengths: Vector,
     series: Vector,
 ) -> tuple[int, int, float, int]:
     """The outcome, the number p of pieces, the time reached [s] and the contact that stopped it.
 
     velocity (n,) [m/s], lengths (c + s + h,) [m] and states (c,): at t = 0, overwritten. most: the
     number of changes of state that is allowed. Filled, up to `room` pieces: starts (room, 3), the
-    time at which a piece starts [s], its unit of time h [s] and its end in that unit; kept (room,
-    c), its states; began (room, c + s + h), its initial lengths [m]; series (room, ORDER + 1, n)
+    time at which a piece starts [s], its unit of time h [s] and its end in that unit; piece_states
+    (room, c); piece_lengths (room, c + s + h), its initial lengths [m]; series (room, ORDER + 1, n)
     [m]. It is one function since each piece updates nearly all of its variables.
     """
     n, wide = len(velocity), len(lengths)
-    place, force, drag = np.zeros(n), np.empty(n), np.empty(n)
+    position, force, drag = np.zeros(n), np.empty(n), np.empty(n)
     stiff, slows = np.empty((n, n)), np.empty((n, n))
-    grown, column = np.empty((wide, ORDER + 1)), np.empty(wide)
+    length_series, column = np.empty((wide, ORDER + 1)), np.empty(wide)
     sizes, rates, work = np.empty(wide), np.empty(wide), np.empty(ORDER + 1)
     closed = np.full(len(states), STUCK)
     reach = np.zeros(wide)
@@ -57,45 +57,45 @@ def follow_system(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all i
         stretch(equations, force, column)
         for i in range(wide):
             reach[i] += abs(column[i])
-    quick = min(step(equations, closed, stiff, slows), duration)
-    t, count, events, scale, fresh, h = 0.0, 0, 0, 0.0, True, 0.0
+    least_step = min(step(equations, closed, stiff, slows), duration)
+    t, count, events, scale, states_changed, h = 0.0, 0, 0, 0.0, True, 0.0
     while t < duration:
         if count == len(starts):
             return FULL, count, t, 0
-        if fresh:
-            h, fresh = min(step(equations, states, stiff, slows), duration), False
+        if states_changed:
+            h, states_changed = min(step(equations, states, stiff, slows), duration), False
         y = series[count]
         for a in range(n):
-            y[0, a], y[1, a] = place[a], h * velocity[a]
+            y[0, a], y[1, a] = position[a], h * velocity[a]
         press(equations, states, lengths, force)
         slow(equations, states, velocity, drag)
         for a in range(n):
             pull = (equations.load[a] + force[a] - drag[a]) / equations.mass[a]
             y[2, a] = h * h / 2 * pull
-            scale = max(scale, abs(quick * velocity[a]), abs(quick * quick * pull))
-        _expand(equations, states, h, y, grown, column, force, drag)
+            scale = max(scale, abs(least_step * velocity[a]), abs(least_step * least_step * pull))
+        _expand(equations, states, h, y, length_series, column, force, drag)
         if not _finite(y):
             return BEYOND, count, t, 0
         pace = scale
         for a in range(n):
             pace = max(pace, abs(y[1, a]), abs(y[2, a]))
         for i in range(wide):
-            grown[i, 0] = lengths[i]
+            length_series[i, 0] = lengths[i]
             sizes[i] = reach[i] * scale + abs(lengths[i])
             rates[i] = reach[i] * pace
         left = (duration - t) / h
         contact, after, x = next_event(
-            equations, states, grown, sizes, rates, h, min(1.0, left), work
+            equations, states, length_series, sizes, rates, h, min(1.0, left), work
         )
         if x > 0:
             starts[count, 0], starts[count, 1], starts[count, 2] = t, h, x
             for c in range(len(states)):
-                kept[count, c] = states[c]
+                piece_states[count, c] = states[c]
             for i in range(wide):
-                began[count, i] = lengths[i]
+                piece_lengths[count, i] = lengths[i]
             count += 1
             t += x * h
-            _advance(y, x, h, place, velocity, force)
+            _advance(y, x, h, position, velocity, force)
             stretch(equations, force, column)
             for i in range(wide):
                 lengths[i] += column[i]
@@ -105,7 +105,7 @@ def follow_system(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all i
             return MEETING, count, t, contact
         else:
             _change(equations, states, lengths, contact, after)
-            fresh = True
+            states_changed = True
             events += 1
             if events > most:
                 return CROWDED, count, t, 0
@@ -118,20 +118,20 @@ def _expand(
     states: Index,
     h: float,
     y: Vector,
-    grown: Vector,
+    length_series: Vector,
     column: Vector,
     force: Vector,
     drag: Vector,
 ) -> None:
-    """Fill the series y (ORDER + 1, n) from its first three rows, and grown, that of the lengths.
+    """Fill the series y (ORDER + 1, n) from its first three rows, and that of the lengths.
 
     The recursion (k+1)(k+2) y[k+2] = pull y[k] - (k+1) drag y[k+1] holds from k = 1; constant
-    forces are in y[2]. grown: (c + s + h, ORDER + 1), filled from k = 1.
+    forces are in y[2]. length_series: (c + s + h, ORDER + 1), filled from k = 1.
     """
     for k in range(1, ORDER + 1):
         stretch(equations, y[k], column)
         for i in range(len(column)):
-            grown[i, k] = column[i]
+            length_series[i, k] = column[i]
         if k < ORDER - 1:
             press(equations, states, column, force)
             slow(equations, states, y[k + 1], drag)
@@ -152,16 +152,16 @@ def _finite(y: Vector) -> bool:
 
 @lent
 def _advance(
-    y: Vector, x: float, h: float, place: Vector, velocity: Vector, travel: Vector
+    y: Vector, x: float, h: float, position: Vector, velocity: Vector, travel: Vector
 ) -> None:
-    """Update place and velocity to the part x of a step; fill travel (n,) [m], the displacement."""
-    for a in range(len(place)):
+    """Update position and velocity to the part x of a step; fill travel (n,) [m], the displacement."""
+    for a in range(len(position)):
         moved, rate = 0.0, 0.0
         for k in range(ORDER, 0, -1):
             moved = (moved + y[k, a]) * x
             rate = rate * x + k * y[k, a]
         travel[a] = moved
-        place[a] += moved
+        position[a] += moved
         velocity[a] = rate / h
 
 
