@@ -154,7 +154,7 @@ def _finite(y: Vector) -> bool:
 def _advance(
     y: Vector, x: float, h: float, position: Vector, velocity: Vector, travel: Vector
 ) -> None:
-    """Update position and velocity to the part x of a step; fill travel (n,) [m], the displacement."""
+    """Move position and velocity to the part x of a step; fill travel, the displacement (n,)."""
     for a in range(len(position)):
         moved, rate = 0.0, 0.0
         for k in range(ORDER, 0, -1):

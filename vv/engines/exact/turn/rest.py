@@ -1,4 +1,4 @@
-"""Finds when a body at rest on a wall begins to slip: |T| rises above F."""
+"""Finds when a body at rest on a wall begins to slip: when |T| exceeds the friction limit F."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vv.scene import Vector
 
 @lent
 def slack(rows: Vector, sines: Vector, t: float, out: Vector) -> None:
-    """F^2 - |T|^2 at time t [m2/s4] and its first two derivatives, (3,)."""
+    """Fill out (3,) with F^2 - |T|^2 at time t [m2/s4] and its first two time derivatives."""
     out[:] = 0.0
     for r in range(3):
         value, rate, curve = rows[r, 0], 0.0, 0.0
@@ -29,7 +29,7 @@ def slack(rows: Vector, sines: Vector, t: float, out: Vector) -> None:
 
 @lent
 def third_derivative_bound(rows: Vector, sines: Vector) -> float:
-    """What the third derivative of F^2 - |T|^2 never exceeds [m2/s7]."""
+    """An upper bound on the third time derivative of F^2 - |T|^2 [m2/s7]."""
     bound = 0.0
     for r in range(3):
         size, rate, curve, jerk = abs(rows[r, 0]), 0.0, 0.0, 0.0
@@ -47,9 +47,10 @@ def third_derivative_bound(rows: Vector, sines: Vector) -> float:
 def end_of_rest(
     rows: Vector, sines: Vector, t: float, last: float, band: float, out: Vector
 ) -> float:
-    """The time after which F^2 - |T|^2 first falls below -band, or `last`; out: (3,) for work.
+    """The time [s] after which F^2 - |T|^2 first falls below -band, or `last`; out: (3,) for work.
 
-    Steps cannot skip it: see `vv.engines.exact.roots.first_descent_below_zero`.
+    The search takes steps that cannot skip it: see
+    `vv.engines.exact.roots.first_descent_below_zero`.
     """
     jerk, held, ahead = third_derivative_bound(rows, sines), t, last - t
     while t < last:
@@ -67,7 +68,7 @@ def end_of_rest(
 
 @lent
 def _zero(rows: Vector, sines: Vector, low: float, high: float, out: Vector) -> float:
-    """The zero of F^2 - |T|^2 in [low, high], by Newton's iteration held between two bounds."""
+    """The zero of F^2 - |T|^2 in [low, high], by Newton's method with bisection."""
     t = high
     for _ in range(60):
         slack(rows, sines, t, out)
