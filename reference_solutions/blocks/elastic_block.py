@@ -3,10 +3,10 @@
 Its displacement is linear in x (Shi 1992). With sides s_i, volume V and mass m, normal strains e_i
 follow m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i, C Hooke's law. On its base the centroid moves by
 half the shortening, which makes that m s_z^2/3 along z, and F_z = -m g s_z/2; as it spins by w
-about z, F_i = m w^2 s_i^2/12 along x and y. From e = e' = 0 every mode swings as 1 - cos. A bar
+about z, F_i = m w^2 s_i^2/12 along x and y. From e = e' = 0 every mode oscillates as 1 - cos. A bar
 alone has w^2 = 12 E/(rho s^2), and 3 E/(rho s^2) on a base; the continuum's first modes have pi^2
-and pi^2/4 in place of 12 and 3, and are slower by sqrt(12)/pi = 1.103.
-Every function raises ValueError for parameters outside their ranges.
+and pi^2/4 in place of 12 and 3, and are slower by sqrt(12)/pi = 1.103. Every function raises
+ValueError for parameters outside their ranges.
 """
 
 from math import pi, sqrt
@@ -77,13 +77,13 @@ def first(*, side: float, rho: float, young: float) -> float:
 
 
 def _inertia(sides: Sides, rho: float) -> Array:
-    """rho s^2/12 (3,) [kg/m]: what each strain of a free box has of inertia, per volume."""
+    """The inertia per volume of each strain of a free box, rho s^2/12 (3,) [kg/m]."""
     require_positive("in SI units", s_x=sides[0], s_y=sides[1], s_z=sides[2], rho=rho)
     return rho * np.square(sides) / 12.0
 
 
 def _swings(t: ArrayLike, inertia: Array, stiffness: Array, force: Array) -> Array:
-    """What inertia (n,) e'' + stiffness (n, n) e = force (n,) makes of rest at t = 0: (k, n)."""
+    """e (k, n) of inertia (n,) e'' + stiffness (n, n) e = force (n,), from rest at t = 0."""
     root = np.sqrt(inertia)
     squares, modes = np.linalg.eigh(stiffness / np.outer(root, root))
     rest = modes.T @ (force / root) / squares

@@ -12,9 +12,10 @@ slides and topples     n = cos psi/(1 - (mu h - b) b/k^2), q = (mu h - b) n/k^2,
                        a = (sin psi - mu n, n - cos psi)
 
 It slides for phi < psi and phi <= delta, topples for psi > delta and phi >= phi_c, does both for
-psi > delta and delta < phi < phi_c, where toppling alone would need just the friction there is, and
-else it stays (Hoek and Bray, with the borders of Yeung 1991 and of Yagoda-Biran and Hatzor 2013).
-Angles are in degrees. Every function raises ValueError for angles outside their ranges.
+psi > delta and delta < phi < phi_c, and stays otherwise; at phi = phi_c toppling alone needs
+exactly the available friction (Hoek and Bray, with the borders of Yeung 1991 and of Yagoda-Biran
+and Hatzor 2013). Angles are in degrees. Every function raises ValueError for angles outside their
+ranges.
 """
 
 from enum import IntEnum

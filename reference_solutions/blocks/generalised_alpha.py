@@ -3,9 +3,9 @@
 Newmark's formulas for x and v with beta and gamma, eliminated between three steps of x'' = a, say
 (S - 1)^2 x = D^2 (beta S^2 + (1/2 + gamma - 2 beta) S + 1/2 - gamma + beta) a, S going a step
 ahead; the equation of motion is ((1 - alpha_m) S + alpha_m) a = -w^2 ((1 - alpha_f) S + alpha_f) x.
-Both together are a cubic in S, whose roots a step of the angle w D has (Chung and Hulbert 1993,
-Eq. 14). Its numbers are those of a radius at infinite angle (their Eqs. 17, 20, 25).
-Every function raises ValueError for parameters outside their ranges.
+Both together give a cubic in S, whose roots are those of a step with the angle w D (Chung and
+Hulbert 1993, Eq. 14). Its coefficients follow from the spectral radius at infinite angle (their
+Eqs. 17, 20, 25). Every function raises ValueError for parameters outside their ranges.
 """
 
 from cmath import phase

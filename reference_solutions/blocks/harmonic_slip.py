@@ -1,15 +1,15 @@
 """Coulomb stick and slip along a line under a harmonic drive: closed forms between located events.
 
 A point that slides has w' = p + q sin(omega t + lag), where p and q depend on the sign of w alone;
-it rests while neither sign of w could grow. Every phase is a closed form in the angle x passed
-since its begin. A slip from rest begins at an arcsine and ends at the one root of w between a zero
-of its acceleration and the next, bracketed there and found to rounding.
+it rests while w could grow in neither direction. Every phase is a closed form in the angle x since
+it began. A slip from rest begins at an arcsine and ends at the one root of w between a zero of its
+acceleration and the next, bracketed there and found to rounding.
 
-With s = x - sin x, c = 1 - cos x, e = x^2/2 - c, from the angle b with acceleration a:
-w = v + (a x + q (cos b c - sin b s))/omega, displacement d + (v x + (a x^2/2 +
-q (cos b s - sin b e))/omega)/omega. Unlike p x - q cos(b + x) they lose no digits in a short slip.
-Angles are kept within one turn: an event at t = 100 s is as sharp as one at t = 0. Where a slip
-turns at once, the velocity that the drive does not make itself is carried over to the last digit.
+With s = x - sin x, c = 1 - cos x, e = x^2/2 - c, from the angle b with acceleration a: w = v + (a x
++ q (cos b c - sin b s))/omega, displacement d + (v x + (a x^2/2 + q (cos b s - sin b
+e))/omega)/omega. Unlike p x - q cos(b + x), these lose no digits in a short slip. Angles are kept
+within one turn: an event at t = 100 s is as sharp as one at t = 0. Where a slip reverses at once,
+the part of the velocity that is not due to the drive is carried over to the last digit.
 """
 
 from collections.abc import Callable, Iterator
@@ -67,8 +67,8 @@ class Phase(NamedTuple):
 class _Slip(NamedTuple):
     """The slip that just ended: direction, q, and `steady` = w + q/omega cos(omega t + lag) [m/s].
 
-    That does not jump as a slip turns round, where w = 0 but for the rounding of the angle. A quick
-    drive makes q/omega so much larger that what is left of w must be kept.
+    It does not jump where a slip reverses, and w = 0 there apart from the rounding of the angle.
+    With a fast drive q/omega is so much larger than w that the remainder of w must be kept.
     """
 
     direction: int
@@ -81,7 +81,8 @@ def phases(
 ) -> tuple[Phase, ...]:
     """The slips and rests from t = 0, w = v0 [m/s], d = 0, until `end` [s]; the last is cut there.
 
-    steady: v0 + q/omega cos(lag) [m/s] if it is known more sharply than lag is rounded.
+    steady: v0 + q/omega cos(lag) [m/s], if it is known more accurately than the rounding of lag
+    allows.
 
     A slip whose velocity touches zero ends there, and the next begins. Raises RuntimeError if there
     are more phases than a harmonic drive can make.
@@ -119,7 +120,7 @@ def displacement(t: Array, drive: Drive, history: tuple[Phase, ...]) -> Array:
 def _moved(
     x: Array, omega: float, q: Number, angle: Number, d: Number, v: Number, a: Number
 ) -> Array:
-    """The displacement an angle x after the begin of a phase."""
+    """The displacement at an angle x after a phase began."""
     short = x < 1.0
     s = np.where(short, x**3 * _series(x * x, _S_SERIES), x - np.sin(x))
     e = np.where(short, x**4 * _series(x * x, _E_SERIES), x**2 / 2.0 - 1.0 + np.cos(x))
@@ -131,7 +132,7 @@ def _moved(
 def _mode(
     drive: Drive, angle: float, v: float, last: _Slip | None, left: float
 ) -> tuple[int, float, float, float]:
-    """Direction, first acceleration, angle until the end, and velocity of what begins with v."""
+    """Direction, initial acceleration, angle until the end, velocity: of a phase from v."""
     if v != 0.0:
         direction = int(copysign(1.0, v))
         law = drive.law(direction)

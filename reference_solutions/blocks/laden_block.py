@@ -7,8 +7,8 @@ the wall moves by D (sin(w t + phi) - sin phi) along its normal. While the block
 s'' = a_s + A_s sin(w_s t + phi_s) - mu p,  p = D'' - a_n - A_n sin(w_n t + phi_n) > 0,
 
 where mu p is friction per mass (Coulomb), D'' the acceleration of the wall, and along the normal
-the block is where the wall is. How the wall slides along itself does not enter while the block
-slips faster. Every function raises ValueError for parameters outside their ranges.
+the block is where the wall is. The motion of the wall in its own plane does not matter as long as
+the block moves faster. Every function raises ValueError for parameters outside their ranges.
 """
 
 from typing import TypedDict
@@ -75,7 +75,7 @@ def _at(t: Array, sine: Sine) -> Array:
 
 
 def _integrals(t: Array, sine: Sine) -> tuple[Array, Array]:
-    """A sine integrated twice and once from nothing."""
+    """The double and the single integral of a sine, both zero at t = 0."""
     size, omega, phase = sine
     turned = omega * t + phase
     swung = np.sin(phase) + omega * t * np.cos(phase) - np.sin(turned)

@@ -34,8 +34,8 @@ def base(t: ArrayLike, *, D: float, f: float) -> Array:
 def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> Array:
     """d2 [m] at times t >= 0 [s] of any shape; see `harmonic_slip`.
 
-    Added up over the ground: beside a quick base the block hardly moves, so that the difference of
-    base and lag would lose digits.
+    The displacement is summed in the fixed frame: on a fast base the block hardly moves, so that
+    the difference of base and lag would lose digits.
     """
     t = require_times(t)
     drive = _drive(D, f, mu, g)

@@ -1,11 +1,11 @@
-"""A block that rocks on a floor without slip under a sine that ends (Housner 1963).
+"""A block that rocks on a floor without slip under a sine of finite duration (Housner 1963).
 
 A block of half sides b and h leans by theta about the corner it stands on, positive towards +x:
 theta'' = p^2 (-sin(alpha - theta) + (a/g) cos(alpha - theta)) for theta > 0 and its mirror image
 for theta < 0, with tan(alpha) = b/h, R^2 = b^2 + h^2, p^2 = 3 g/(4 R) and a = A sin(w t) until T.
-Upright it stands until |a| > g tan(alpha). As it meets the floor its rate becomes
-1 - 1.5 sin^2(alpha) of what it was, which keeps the moment of momentum about the other corner
-(Makris and Roussos 2000). Every function raises ValueError for parameters outside their ranges.
+The upright block stands until |a| > g tan(alpha). When it meets the floor its rate is multiplied by
+1 - 1.5 sin^2(alpha), which conserves the angular momentum about the other corner (Makris and
+Roussos 2000). Every function raises ValueError for parameters outside their ranges.
 """
 
 from math import asin, atan2, cos, exp, hypot, inf, pi, sin, sqrt, tan
@@ -17,7 +17,7 @@ from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
 
-_LEAST = 1e-7  # of p: a rate below which what is left of a swing is none
+_LEAST = 1e-7  # of p: a rate below which the block counts as at rest
 _SHARP = {"rtol": 1e-12, "atol": 1e-14}
 
 
@@ -36,9 +36,9 @@ def leans(
     t: ArrayLike, *, b: float, h: float, g: float,
     A: float = 0.0, w: float = 1.0, T: float = 0.0, theta: float = 0.0,
 ) -> Array:  # fmt: skip
-    """theta (k,) [rad] at rising times (k,) [s], at rest at theta [rad] or upright at first.
+    """theta (k,) [rad] at rising times (k,) [s], from rest at theta [rad] or upright.
 
-    A [m/s2], w [rad/s], T [s]: of the sine. Beyond alpha it falls, and lies still at pi/2.
+    A [m/s2], w [rad/s], T [s]: of the sine. Beyond alpha the block falls, and rests at pi/2.
     """
     return phases(t, b=b, h=h, g=g, A=A, w=w, T=T, theta=theta)[:, 0]
 
@@ -67,7 +67,7 @@ def phases(
 
 
 def _way(rate: float, A: float, w: float, now: float) -> float:
-    """Which way a block that is upright goes."""
+    """The direction in which an upright block starts to lean."""
     return rate if rate != 0.0 else A * sin(w * now)
 
 
@@ -86,7 +86,7 @@ def _swing(
     times: Array, found: Array, now: float, state: tuple[float, float], side: float,
     law: tuple[float, ...],
 ) -> tuple[float, tuple[float, float]]:  # fmt: skip
-    """Fill in the leans from `now` until the block meets the floor; when, and its state there."""
+    """Fill in the leans from `now` until the block meets the floor; the time and state of that."""
     from scipy.integrate import solve_ivp
 
     alpha, p, part, w, T = law
@@ -147,7 +147,7 @@ def overturns(*, b: float, h: float, g: float, A: float, w: float) -> float:
 
     alpha, p = slenderness(b, h, g)
     if not b < h:
-        raise ValueError(f"b = {b} m, h = {h} m; a block is thrown over if it is higher than wide")
+        raise ValueError(f"b = {b} m, h = {h} m; a block overturns only if it is higher than wide")
     if not excess(A, b=b, h=h, g=g, w=w) > 0.0:
         raise ValueError(f"A = {A} m/s2 does not overturn it")
 
@@ -176,7 +176,9 @@ def threshold(*, b: float, h: float, g: float, w: float) -> float:
     low = 1.0001 * g * tan(slenderness(b, h, g)[0])
     law = {"b": b, "h": h, "g": g, "w": w}
     if excess(low, **law) > 0.0:
-        raise ValueError(f"w = {w} 1/s; a sine so slow overturns all that it lifts, to 1e-4")
+        raise ValueError(
+            f"w = {w} 1/s; such a slow sine overturns every block that it lifts, to 1e-4"
+        )
     high = 1.05 * low
     while excess(high, **law) < 0.0:
         low, high = high, 1.05 * high

@@ -5,16 +5,15 @@ the column and back from its top (d'Alembert),
 
 u(y, t) = sum over k of (-1)^k (f(t - (2 k H + y)/c) + f(t - (2 (k + 1) H - y)/c)).
 
-Under a lasting sine the column's motion at y over the base's is cos(q (H - y))/cos(q H), q = w/c.
-In n layers that strain uniformly, q of a layer of h = H/n follows from cos q h =
-(1 - W^2 h^2/3c^2)/(1 + W^2 h^2/6c^2), W = w, as for linear finite elements with consistent mass.
-DDA's step dt takes W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2) in place of w^2: it damps.
-SHAKE has a constant damping ratio z: q = w/(c sqrt(1 - 2 z^2 + 2 i z sqrt(1 - z^2))).
-Unlike layers, of stiffness matrices (a, -b; -b, a), follow from the top: what bears the motion of a
-layer's lower end is Z = a - b^2/(a + Z'), Z' that of the layer above, and its upper end moves by
-b/(a + Z') of it. Uniform strain has a = G/h - W^2 rho h/3 and b = G/h + W^2 rho h/6, a wave has
-a = G q cot q h and b = G q/sin q h.
-Every function raises ValueError for a parameter out of range.
+Under a steady sine, the motion of the column at y over that of the base is cos(q (H - y))/cos(q H),
+q = w/c. In n layers that strain uniformly, q of a layer of h = H/n follows from cos q h = (1 - W^2
+h^2/3c^2)/(1 + W^2 h^2/6c^2), W = w, as for linear finite elements with consistent mass. DDA's step
+dt takes W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2) in place of w^2: it damps. SHAKE has
+a constant damping ratio z: q = w/(c sqrt(1 - 2 z^2 + 2 i z sqrt(1 - z^2))). Unlike layers, of
+stiffness matrices (a, -b; -b, a), follow from the top: the impedance at the lower end of a layer is
+Z = a - b^2/(a + Z'), Z' that of the layer above, and its upper end moves by b/(a + Z') of its lower
+end. Uniform strain has a = G/h - W^2 rho h/3 and b = G/h + W^2 rho h/6, a wave has a = G q cot q h
+and b = G q/sin q h. Every function raises ValueError for a parameter out of range.
 """
 
 from cmath import acos, exp
@@ -52,7 +51,7 @@ def displacement(t: ArrayLike, *, y: float, height: float, c: float, D: float, F
 
 
 class _Chain(NamedTuple):
-    """Swings of layers on their base: w [rad/s], what one of the base's drives, what is seen.
+    """Modes of layers on their base: w [rad/s], how the base drives one, how it is observed.
 
     They are sin(q i) at the joints i of n layers, q = (2j - 1) pi/2n, w^2 = (6 c^2/h^2)(1 - cos
     q)/(2 + cos q). One has the mass n (2 + cos q)/6 of layers, and is driven by cot(q/2)/2 of them.
@@ -78,7 +77,7 @@ def layered_displacement(
 ) -> Array:
     """u [m] of the centre of layer `number`, counted from the base, at times t >= 0 [s].
 
-    A swing of w_j follows the base's with D w^2 (cos w t - cos w_j t)/(w_j^2 - w^2).
+    A mode of w_j follows the motion of the base with D w^2 (cos w t - cos w_j t)/(w_j^2 - w^2).
     """
     t, own = require_times(t), _chain(number, layers, height, c)
     require_positive("Hz", F=F)
@@ -111,7 +110,7 @@ def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) 
     require_positive("in SI units", F=F, dt=dt, height=height, c=c)
     half = pi * F * dt
     if not half < pi / 2.0:
-        raise ValueError(f"F = {F} Hz; steps of {dt} s tell no sine from {0.5 / dt:.6g} Hz on")
+        raise ValueError(f"F = {F} Hz; steps of {dt} s resolve no sine from {0.5 / dt:.6g} Hz on")
     square = 4.0 / dt**2 * sin(half) * tan(half) * exp(-1j * half)
     s = square * (height / layers / c) ** 2
     turn = acos((1.0 - s / 3.0) / (1.0 + s / 6.0))  # of a layer
@@ -142,7 +141,7 @@ def unlike_ratio(*, F: float, dt: float, layers: Sequence[Layer]) -> complex:
     require_positive("in SI units", F=F, dt=dt)
     half = pi * F * dt
     if not half < pi / 2.0:
-        raise ValueError(f"F = {F} Hz; steps of {dt} s tell no sine from {0.5 / dt:.6g} Hz on")
+        raise ValueError(f"F = {F} Hz; steps of {dt} s resolve no sine from {0.5 / dt:.6g} Hz on")
     square = 4.0 / dt**2 * sin(half) * tan(half) * exp(-1j * half)
     springs = [(one.G / one.thick, square * one.rho * one.thick) for one in layers]
     below, top = _carried([(k - m / 3.0, k + m / 6.0) for k, m in springs])

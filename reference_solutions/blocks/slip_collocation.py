@@ -82,7 +82,8 @@ def _solved(T: Array, F: Array, w: Array, length: float, v: Array) -> Array | No
     """w at the nodes of a step, (2, n), by Newton from the guess v.
 
     Friction changes along the normal n of w alone, so that each correction is found from its
-    components along n, one a node. What rounding does to w can only be judged against T and F.
+    components along n, one a node. The effect of rounding on w can only be judged relative to T and
+    F.
     """
     A, rounding = length * basis().integrals, 1e-15 * length * F.max()
     for _ in range(8):

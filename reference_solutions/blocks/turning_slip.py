@@ -145,7 +145,7 @@ def _slip(drive: Drive, t: float, x: Array, end: float) -> Iterator[Step]:
     """The steps of a slip from rest, until it is at rest again or at `end`."""
     nodes, w, top, length = basis().nodes, np.zeros(2), 0.0, 0.05 / drive.omega.max()
     for _ in range(_most(drive, end - t)):
-        length = (t + min(length, end - t)) - t  # so that t + length is no rounded sum
+        length = (t + min(length, end - t)) - t  # so that t + length is not rounded
         *T, F = drive.at(np.longdouble(t) + length * nodes)
         rate = collocate(np.array(T), F, w, length)
         if rate is None:
@@ -173,7 +173,7 @@ def _slip(drive: Drive, t: float, x: Array, end: float) -> Iterator[Step]:
 
 
 def _braking(drive: Drive, t: float, w: Array) -> tuple[float, float]:
-    """Time to rest if w' keeps its component along w, and if T and F stay; infinite if never."""
+    """Time to rest if w' keeps its component along w, with constant T and F; infinite if never."""
     T, F = drive.at(t)[:2], float(drive.at(t)[2])
     speed, along, spare = hypot(*w), float(w @ T), F * F - float(T @ T)
     if F * speed <= along or spare == 0.0:

@@ -5,7 +5,7 @@ A layer has 2p + 1 rows along x of n, n - 1, ..., n elements, a B layer 2p rows;
 layers, the first and the last of kind A, and N = (q + 1)((p + 1) n + p (n - 1)) + q p (2n - 1).
 Touching elements are bonded by springs kn, ks [N/m], and do not turn.
 
-The platens hold the z of the first and last layers and nothing else. To first order in the strain
+The platens prescribe z of the first and last layers and nothing else. To first order in the strain
 the block is a linear system; its only motions without force are shifts along the platens, which a
 descent along conjugate gradients from a state without them never enters. Stress is on the area of
 the hull of the centres, (n - 1) d x p sqrt3 d. The modulus depends on that choice: an infinite
@@ -36,7 +36,7 @@ SIZES = {
 }
 """N: (n, p, q) of the blocks of the paper (section 5.1)."""
 
-RESIDUAL = 1e-12  # of the forces that the start leaves; E and nu are then good to 1e-11
+RESIDUAL = 1e-12  # of the initial forces; E and nu are then accurate to 1e-11
 
 
 class Lattice(NamedTuple):

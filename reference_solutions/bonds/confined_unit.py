@@ -8,9 +8,9 @@ element is in balance if
 (L - 1) sin a - g S cos a + sqrt3 (sqrt3 L sin a - 1) + f = 0
 
 and without the third term once the base has opened; the shear spring turns with its bond, S' = -L.
-So S sin^q a is an integral of sines: q = g/4 on the way to where the base opens (X_n2 = xb), and
-q = g from there to where inclined bonds slide (Eq. 1). Twice, as the loads set in and as the base
-opens, it finds its balance at a fixed height z, where L = z/cos a and S = -z asinh(tan a) + c.
+So S sin^q a is an integral of sines: q = g/4 until the base opens (X_n2 = xb), and q = g from there
+until inclined bonds slide (Eq. 1). Twice, when the loads set in and when the base opens, it finds
+its equilibrium at a fixed height z, where L = z/cos a and S = -z asinh(tan a) + c.
 
 The loads are the horizontal stress (sqrt6/2) Fx/d^2, by a section and by the virial: half of what
 Eq. 11a has. Every function raises ValueError outside its range.
@@ -34,8 +34,8 @@ class Failure(NamedTuple):
     """Where inclined bonds slide: pressure [Pa] on the original area, axial strain.
 
     opened, held: the strain and the pressure [Pa] at which the base opened before that. spare: the
-    part of the inclined bonds' strength that is left when the unit, undamped, swings as far beyond
-    its new balance as it was before it.
+    part of the inclined bonds' strength that is left when the undamped unit overshoots its new
+    equilibrium by as much as it was away from it.
     """
 
     pressure: float
@@ -122,7 +122,7 @@ class _Unit(NamedTuple):
 
 
 def _base(a: float, length: float) -> float:
-    """X_n2: by how much a bond of the base is longer than 1."""
+    """X_n2: the stretch of a bond of the base, whose length at rest is 1."""
     return sqrt(3.0) * length * sin(a) - 1.0
 
 

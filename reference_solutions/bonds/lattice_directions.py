@@ -45,7 +45,7 @@ def opening(direction: ArrayLike, *, kn: float, ks: float, xb: float, d: float) 
 
 
 def _pull(direction: ArrayLike) -> Array:
-    """A stress of 1 along a direction, as it goes with the six strains."""
+    """A unit stress along a direction, in the components that belong to the six strains."""
     n = np.asarray(direction, dtype=np.float64)
     if not (np.isfinite(n).all() and n.any()):
         raise ValueError(f"direction = {n.tolist()}; it must be finite and not zero")
@@ -66,7 +66,7 @@ def _energy(kn: float, ks: float, d: float) -> Array:
 
 
 def _moves(r: Array, joins: float, d: float) -> Array:
-    """(3, 9): what six strains and the shift make of a bond [m]."""
+    """The change (3, 9) of a bond by six strains and the shift [m]."""
     return np.hstack([d * _strained(r), joins * np.eye(3)])
 
 
@@ -81,7 +81,7 @@ def _bonds() -> list[tuple[Array, float]]:
 
 
 def _strained(r: Array) -> Array:
-    """(3, 6): what the six strains make of a bond."""
+    """The change (3, 6) of a bond by the six strains."""
     made = np.zeros((3, 6))
     for column, (i, j) in enumerate(PAIRS):
         made[i, column] += r[j] / 2.0

@@ -1,10 +1,11 @@
 """A close-packed block pressed slowly until its level bonds are open (Liu et al. 2017, Fig. 5).
 
 Between smooth rigid platens the block is a linear network (`close_packed_lattice`), whose bonds are
-taken out as they open: at a strain e a bond is stretched by e times its stretch at the strain 1,
-and opens at xb. What opens hands its load to its neighbours, some of which then open at the same
-strain. The stress falls at each such moment (A3 and A1 of Fig. 5), and no balance says which of two
-overstretched bonds parts first: here the most stretched one, with all that bear as much to 2 %.
+removed as they open: at a strain e a bond is stretched by e times its stretch at the strain 1, and
+opens at xb. A bond that opens passes its load to its neighbours, some of which then open at the
+same strain. The stress falls at each such moment (A3 and A1 of Fig. 5), and equilibrium does not
+determine which of two overstretched bonds opens first: here it is the most stretched one, with all
+that bear as much to 2 %.
 
 With all level bonds open every inclined bond bears the same upright force (`lattice_strength`)
 and the block follows the path of units without base bonds, to their sliding (A2).

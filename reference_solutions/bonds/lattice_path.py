@@ -3,8 +3,8 @@
 The strain grows in small parts. In each, elements move until all forces balance: of a bond of
 length L along n, kn (L - d) n, and the shear force S, which turns with the bond and grows by ks
 times the motion across it, taken at the middle of the part (the incremental spring of Cundall and
-Strack 1979). Balances are found by corrections with the stiffness at rest, which at strains of a
-thousandth leave a hundredth of what is wrong each; the error of the parts is of second order.
+Strack 1979). Equilibria are found by corrections with the stiffness at rest, each of which leaves a
+hundredth of the error at strains of a thousandth; the error of the parts is of second order.
 """
 
 import numpy as np
@@ -53,7 +53,7 @@ def _balanced(  # type: ignore[no-untyped-def]
     block: Lattice, matrix, free: NDArray[np.bool_], before: Array, x: Array, shear: Array,
     kn: float, ks: float,
 ) -> tuple[Array, Array, Array]:  # fmt: skip
-    """Places, shear forces of bonds, and forces that hold the elements, as a part is done."""
+    """Positions, shear forces of bonds, and forces on the elements, after a part of the strain."""
     for _ in range(30):
         force, turned = _forces(block, before, x, shear, kn, ks)
         size = np.abs(force[~free]).max()
@@ -66,7 +66,7 @@ def _balanced(  # type: ignore[no-untyped-def]
 def _forces(
     block: Lattice, before: Array, x: Array, shear: Array, kn: float, ks: float
 ) -> tuple[Array, Array]:
-    """What must hold each element (N, 3) [N], and the shear force (B, 3) of each bond."""
+    """The force that must hold each element (N, 3) [N], and the shear force (B, 3) of each bond."""
     i, j = block.bonds.T
     old, new = before[j] - before[i], x[j] - x[i]
     length = np.linalg.norm(new, axis=1)[:, None]
@@ -87,7 +87,7 @@ def _forces(
 
 
 def _answer(matrix, force: Array, free: NDArray[np.bool_]) -> Array:  # type: ignore[no-untyped-def]
-    """How far elements must come back, (N, 3) [m], for their free forces to vanish."""
+    """The correction (N, 3) [m] of positions by which the forces on free elements vanish."""
     from scipy.sparse import diags_array
     from scipy.sparse.linalg import cg
 

@@ -3,14 +3,14 @@
 Pulled, a block answers linearly, so that the most stretched of its bonds opens at a strain xb over
 its stretch at the strain 1. It lies at a face, where elements have fewer bonds than inside: this is
 why blocks are weaker than Eq. 7 says, by 5.8 % at 82 elements and 9.7 % at 37681. A block whose
-platens are carried apart fails with it. Finite strain adds some 1e-4.
+platens move apart fails when it opens. Finite strain adds some 1e-4.
 
 Pressed, a block widens until all its horizontal bonds are open, long before any inclined one
-slides. Each element then has the same neighbours above and below, and a uniform widening under
-which every inclined bond bears the same upright force leaves all in balance, at any strain. That
-force is a third of what a unit without its base bears: all of them slide together, where the unit
-does. A block of n elements a row has 6n - 5 for each 6n - 6 of the infinite lattice on its hull,
-whatever p and q: C_u is 1 + 1/(6n - 6) times the unit's.
+slides. Each element then has the same neighbours above and below. A uniform widening, under which
+every inclined bond bears the same vertical force, is then an equilibrium at any strain. That force
+is a third of what a unit without its base bears: all of them slide together, where the unit does. A
+block of n elements a row has 6n - 5 for each 6n - 6 of the infinite lattice on its hull, whatever p
+and q: C_u is 1 + 1/(6n - 6) times the unit's.
 """
 
 import numpy as np

@@ -13,7 +13,7 @@ from reference_solutions.bonds.tetrahedral_unit import A0, sliding_failure
 from reference_solutions.parameters import require_finite, require_positive
 
 FINE = 0.05  # of the shorter of the times sqrt(m/kn) and m/eta: a step of Runge and Kutta
-LONGEST = 5_000  # steps; bonds that slide so long hold on to each other
+LONGEST = 5_000  # steps; bonds that slide for so long do not separate
 
 
 def separation_rates(

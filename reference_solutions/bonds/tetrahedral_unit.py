@@ -204,7 +204,7 @@ def _opening(element: Element, d: float) -> float:
 
 
 def _widened(element: Element, d: float) -> tuple[float, float]:
-    """How far bonds have turned when the base came to rest after it opened, and their S."""
+    """The angle of bonds by which they have turned when the open base is at rest, and their S."""
     kn, ks, *_ = element
     begin = _opening(element, d)
     before = _bonded(begin, kn, ks, d)
@@ -223,9 +223,7 @@ def _widened(element: Element, d: float) -> tuple[float, float]:
 
 
 def _root(f: Callable[[float], float], guess: float) -> float:
-    """A root of a smooth function near `guess`, by secants until a step of 1e-11: what it leaves
-    is rounding.
-    """
+    """A root of a smooth function near `guess`, by secants until a step of 1e-11 of it."""
     x, y = 0.999 * guess, guess
     fx, fy = f(x), f(y)
     for _ in range(60):

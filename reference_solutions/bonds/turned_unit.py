@@ -26,7 +26,7 @@ def path(
     i, j = pairs.T
     length = np.linalg.norm(position[j] - position[i], axis=1)
     rate = np.sqrt(kn / m)
-    size = np.abs(velocity).max() / rate  # of all displacements; all is solved in parts of it
+    size = np.abs(velocity).max() / rate  # of all displacements, by which the equations are scaled
 
     def change(_: float, state: Array) -> Array:
         u, v = state[:12].reshape(4, 3), state[12:24].reshape(4, 3)
@@ -60,7 +60,7 @@ def path(
 def _integrated(
     change: Callable[[float, Array], Array], t: Array, start: Array, rounded: Array
 ) -> Array:
-    """The states (n, k) at times (k,) [s]; rounded: what each component may be off."""
+    """The states (n, k) at times (k,) [s]; rounded: the error allowed of each component."""
     from scipy.integrate import solve_ivp
 
     solved = solve_ivp(
@@ -75,6 +75,6 @@ def _along(vectors: Array, n: Array) -> Array:
 
 
 def _longer(offset: Array, moved: Array, length: Array) -> Array:
-    """By how much |offset + moved| exceeds |offset|, without the loss of digits of a difference."""
+    """|offset + moved| minus |offset|, without the loss of digits of a difference."""
     now = np.linalg.norm(offset + moved, axis=1)
     return np.asarray(np.einsum("bk,bk->b", 2 * offset + moved, moved) / (now + length))

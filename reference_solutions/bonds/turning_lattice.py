@@ -3,8 +3,8 @@
 As `close_packed_lattice`, but that a shear spring joins the points of two elements that touched, as
 in Cundall and Strack (1979): an element that turns by w carries its point d/2 n off with it, and
 the spring holds the slip u_j - u_i - (d/2) (w_i + w_j) x n. Liu et al. (2017) leave rotation out.
-What turns unloads the shear springs, most of all at the faces of a block. In a single unit that
-hangs on its base they hold nothing: its E and nu are those of Eqs. 4 and 6 without shear springs.
+Rotation unloads the shear springs, most of all at the faces of a block. In a single unit on its
+base they bear nothing: its E and nu are those of Eqs. 4 and 6 without shear springs.
 """
 
 import numpy as np

@@ -2,7 +2,7 @@
 
 Equal elements of mass m and inertia 2/5 m r^2 on bonds of length d = 2 r, kn along and ks across: a
 spring holds the slip u_j - u_i - (d/2) (w_i + w_j) x n. Three stand on a smooth plane. Rotation is
-damped by what it moves the centres, which is the less the smaller ks is.
+damped only as far as it moves the centres, which is less the smaller ks is.
 """
 
 import numpy as np
@@ -12,7 +12,7 @@ from reference_solutions.bonds.lattice_material import require_springs
 from reference_solutions.parameters import require_positive
 
 Array = NDArray[np.float64]
-STILL = 1e-9  # of the fastest: rates that are none, of modes that nothing holds
+STILL = 1e-9  # of the fastest: smaller rates count as zero, of modes without stiffness
 
 
 # The case passes its parameters by name, one for one.

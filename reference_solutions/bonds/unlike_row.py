@@ -53,8 +53,8 @@ def along(
 def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
     """Displacements (k, N) [m] at times t (k,) [s] with a drag -eta v [N s/m] on every sphere.
 
-    length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0. Drag is the same for all,
-    and masses are not, so that no mode stays one: x' = A x for places, speeds, and 1.
+    length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0. Drag is the same for all and
+    masses are not, so that modes couple: x' = A x for positions, velocities and 1.
     """
     from scipy.linalg import expm
 

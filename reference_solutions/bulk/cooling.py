@@ -10,13 +10,13 @@ collisions with their pair correlation; at walls the surface tension of Henderso
 (1987, Proceedings of the Royal Society A 410, 409-420), and where two walls meet a line tension of
 second order in the density, 2/15 d^5 n^2/2 T, by counting the pairs that a corner keeps apart.
 Those say how much gas lies at walls, which fixes its density inside, and how hard it pushes walls.
-The theorem of the virial tells from that how often spheres meet each other, and walls.
+From that, the virial theorem gives how often spheres meet each other, and walls.
 
 Each contact of two takes 1 - e^2 of the energy of approach, T in the mean of those that meet, and
 each of one with a wall 1 - w^2, where w is nearer to one since the mass is not the reduced one; the
 square root of the energy then falls as 1/(1 + t/tau) (Haff 1983, Journal of Fluid Mechanics 134,
-401-430). What that leaves out, a gas cooler at its walls and spheres that fly on side by side, is
-of the order of 1 - e^2 times the part that walls take.
+401-430). This neglects that the gas is cooler at its walls and that spheres fly on side by side, an
+error of the order of 1 - e^2 times the part of the walls.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def cooling(count: int, found: Gas, z: float) -> float:
 def flatness(count: int) -> float:
     """The mean of v^4 over the square of the mean of v^2, for this many spheres of a given energy.
 
-    All velocities of one energy are alike likely, which is Maxwell's distribution, 5/3, for many.
+    All velocities of one energy are equally likely, which is Maxwell's distribution, 5/3, for many.
     """
     return 5.0 * count / (3.0 * count + 2.0)
 

@@ -6,11 +6,12 @@ The floor presses by kn U for an overlap U > 0 and holds by a shear spring: F' =
 velocity s = v_x - r w of the contact point, up to mu kn U (Li et al. 2018, Eqs. 4-8). The spring is
 uncharged when the contact closes.
 
-The normal motion does not feel the friction: a parabola in flight; in contact, which lasts for tau,
-U = (v/k) sin k tau + (g/k^2)(1 - cos k tau), k^2 = kn/m, from the speed v with which it meets the
-floor and leaves it. As s' = 7/2 F/m, the spring swings at kt^2 = 7/2 ks/m while it sticks; while it
-slips, F = +-mu kn U is known. It slips when |F| reaches mu kn U, and sticks again when the spring's
-own rate -ks s no longer outruns the cap's, mu kn U'. The centre takes 2/7 of every change of s.
+The normal motion does not depend on friction: a parabola in flight; in contact, which lasts for
+tau, U = (v/k) sin k tau + (g/k^2)(1 - cos k tau), k^2 = kn/m, from the speed v with which it meets
+the floor and leaves it. As s' = 7/2 F/m, the spring oscillates at kt^2 = 7/2 ks/m while it sticks;
+while it slips, F = +-mu kn U is known. It slips when |F| reaches mu kn U, and sticks again when the
+spring's own rate -ks s no longer outruns the cap's, mu kn U'. The centre takes 2/7 of every change
+of s.
 
 Every function raises ValueError for parameters outside their ranges.
 """
@@ -32,7 +33,7 @@ from reference_solutions.parameters import (
 
 Array = NDArray[np.float64]
 
-CELLS, MOST = 2000, 1000  # of a contact: no event is sought closer to the last; bounces
+CELLS, MOST = 2000, 1000  # of a contact: the least time between events; number of bounces
 YIELD = 3.5  # m s'/F: 1 + m r^2/I
 
 
@@ -75,7 +76,7 @@ class Normal(NamedTuple):
 
 @dataclass(frozen=True)
 class Stage:
-    """What holds from `begin` [s] on, `tau` after the contact closed.
+    """A stage from `begin` [s] on, `tau` after the contact closed.
 
     way: 0 while it sticks, else the sign of the force while it slips. s: slip velocity [m/s]; f:
     force over mass [m/s2]; x, v: the centre along the floor [m, m/s]. In flight `normal` is None.
@@ -176,7 +177,7 @@ def _contact(stage: Stage, normal: Normal) -> list[Stage]:
 
 
 def _margin(stage: Stage, normal: Normal) -> Callable[[Array], Array]:
-    """What falls below zero where the stage ends: of the cap, or of the spring's rate."""
+    """The margin, of the cap or the spring's rate, that falls below zero where the stage ends."""
     k, mu = normal.k, normal.mu
 
     def of_cap(tau: Array) -> Array:

@@ -31,7 +31,7 @@ def shape(j: int, N: int) -> Array:
 
 
 def reflected(q: float, m: float, M: float, K: float) -> float:
-    """The part of its energy that a wave with phase q per mass leaves behind where m becomes M."""
+    """The part of its energy that a wave of phase q per mass reflects where m changes to M."""
     require_positive("kg, N/m", m=m, M=M, K=K)
     if not 0.0 < q < pi:
         raise ValueError(f"q = {q} rad; a wave has a phase between 0 and pi a mass")

@@ -1,9 +1,9 @@
 """A sphere between two vertical walls whose friction alone carries its weight: closed form.
 
-The shear springs ks of both contacts start slack. The sphere sinks and swings on them,
-m z'' = -m g - 2 ks z, while each bears at most mu N. Where it bears less than m g, the peak of that
-swing, the sphere slides, under the steady friction 2 mu N: for ever where that is less than the
-weight, else until it stops, and swings on from there. It does not turn, by symmetry.
+The shear springs ks of both contacts start slack. The sphere sinks and oscillates on them, m z'' =
+-m g - 2 ks z, while each bears at most mu N. If that is less than m g, the peak of the oscillation,
+the sphere slides under the constant friction 2 mu N: for ever if that is less than the weight,
+otherwise until it stops, from where it oscillates. By symmetry it does not rotate.
 """
 
 import numpy as np

@@ -18,7 +18,7 @@ def phase_per_step(angle: float) -> float:
 
 
 def stiffness(angle: float) -> float:
-    """The k in the energy that is kept, over the spring's; angle = w dt [rad]."""
+    """The k in the conserved energy over that of the spring; angle = w dt [rad]."""
     return 1.0 - _checked(angle) ** 2 / 4.0
 
 

@@ -47,7 +47,7 @@ class Impact(NamedTuple):
 
 
 def motion(t: ArrayLike, impact: Impact) -> tuple[Array, Array]:
-    """How far the body is along the wall and off it [m] at times t (n,) [s] from 0 on."""
+    """Displacements along the wall and away from it [m] at times t (n,) [s] from 0 on."""
     t = np.asarray(t, dtype=np.float64)
     along, pressed = np.empty_like(t), np.minimum(t, impact.end)
     now, y, mode = 0.0, np.array([0.0, impact.along, 0.0]), STICK

@@ -3,7 +3,7 @@
 Rows of n and n - 1 spheres of radius r and mass m stand in the gaps of the row below, between
 smooth walls that are `squeeze` of a diameter too close for every sphere of the long rows. Where
 they touch, linear springs kn push. Rest is found by Newton's method on the forces, whose Jacobian
-takes the turning of the normals in. Raises ValueError for parameters outside their ranges.
+includes the rotation of the normals. Raises ValueError for parameters outside their ranges.
 """
 
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 Pairs = list[tuple[int, int]]
 
 _ROUNDS = 50
-_STILL = 4e-16  # of kn times the width, the largest force left over: what rounding of centres makes
+_STILL = 4e-16  # of kn times the width: the largest remaining force, due to rounding of centres
 
 
 def packed(n: int, rows: int, r: float) -> Array:

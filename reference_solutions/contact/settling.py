@@ -3,8 +3,8 @@
 Dropped at rest from a height above the floor: z'' = -g - c z' in flight and z'' = -g - c z' - k^2 z
 while z < 0, z its height over the floor; c = eta/m, k^2 = kn/m. Both are solved in closed form, and
 the times at which z passes through 0 are located between turning points, which are known. It stays
-where the top of a swing in contact lies below the floor's level.
-Every function raises ValueError for parameters outside their ranges.
+once the top of an oscillation in contact is below the level of the floor. Every function raises
+ValueError for parameters outside their ranges.
 """
 
 from collections.abc import Callable

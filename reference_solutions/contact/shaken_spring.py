@@ -3,9 +3,9 @@
 m q'' + c q' + k (q - Q(t)) = F + m a(t) from q(0) = 0, q'(0) = v: q [m] is a displacement along one
 axis, c [N s/m] drag on the mass itself, F [N] constant. Each drive is a sum of sines, A sin(w t +
 phi) with w [rad/s]: a [m/s2] shakes the mass, the end of the spring has moved by Q(t) = sum of A
-(sin(w t + phi) - sin phi) [m]. The answer is the steady motion under each sine and a decaying swing
-that meets the start (Rao, Mechanical Vibrations, harmonically excited vibration). Under-damped
-only. Every function raises ValueError for parameters outside their ranges.
+(sin(w t + phi) - sin phi) [m]. The answer is the steady motion under each sine and a decaying
+oscillation that satisfies the initial state (Rao, Mechanical Vibrations, harmonically excited
+vibration). Under-damped only. Every function raises ValueError for parameters outside their ranges.
 """
 
 from collections.abc import Sequence

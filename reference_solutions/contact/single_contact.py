@@ -10,9 +10,9 @@ v_a < 0 (approaching, T1 and T2) and v_b of either sign (T3 and T4) [m/s]. m = 2
 n = eta/(2m), k = sqrt(kn/m) in T1 and T2, sqrt(ks/m) in T3 and T4, wd = sqrt(k^2 - n^2).
 
 All follows from the differential Eqs. 14 to 23. The printed v_a = -0.01 m/s (Eq. 27) contradicts
-Eqs. 29 and 31, which need -0.1; the printed n, k, t_s1 and v_s1 are off in the last place. With the
-paper's dx neither mu nor kn moves T3 or T4: they change dx alone.
-Every function raises ValueError for a parameter that is not finite or has the wrong sign.
+Eqs. 29 and 31, which need -0.1; the printed n, k, t_s1 and v_s1 are wrong in the last digit. With
+the paper's dx neither mu nor kn moves T3 or T4: they change dx alone. Every function raises
+ValueError for a parameter that is not finite or has the wrong sign.
 """
 
 from math import asin, copysign, cos, exp, factorial, isfinite, log1p, pi, sin, sqrt

@@ -24,7 +24,7 @@ def motion(
     """Displacement [m] and velocity [m/s] at times t (k,) [s]: (k, 2), across and along."""
     t = require_times(t)
     require_positive("in SI units", m=m, kn=kn, ks=ks, mu=mu, vn=vn, vt=vt)
-    stretch = mu * kn / ks * vn  # how fast the shear spring's cap moves at first, and back at last
+    stretch = mu * kn / ks * vn  # rates of the shear spring's cap at the start, and back at the end
     if not (vt > stretch and vt + stretch > 2.0 * mu * vn):
         raise ValueError(f"vt = {vt} m/s; beside mu vn = {mu * vn:.6g} m/s the body would stick")
     w = sqrt(kn / m)

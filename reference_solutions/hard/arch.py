@@ -13,12 +13,12 @@ from math import cos, pi, sin
 
 
 def thinnest_of_chords(n: int) -> float:
-    """Of blocks with straight edges, whose corners lie on the circles R - t/2 and R + t/2."""
+    """For blocks with straight edges, whose corners lie on the circles R - t/2 and R + t/2."""
     return _thinnest(n, _of_chord)
 
 
 def thinnest_of_arcs(n: int) -> float:
-    """Of voussoirs with circular edges; 0.10748 for many."""
+    """For voussoirs with circular edges; 0.10748 for many."""
     return _thinnest(n, _of_arc)
 
 
@@ -52,7 +52,7 @@ def stands(n: int, t: float, mu: float) -> bool:
 
 
 def _of_chord(t: float, opening: float) -> float:
-    """How far out the centroid of a voussoir lies."""
+    """The distance of the centroid of a voussoir from the centre of the arch."""
     inner, outer = 1.0 - t / 2.0, 1.0 + t / 2.0
     return (inner + t / 3.0 * (inner + 2.0 * outer) / (inner + outer)) * cos(opening / 2.0)
 
@@ -64,7 +64,7 @@ def _of_arc(t: float, opening: float) -> float:
 
 
 def _thinnest(n: int, out: Callable[[float, float], float]) -> float:
-    """Halved between a thickness that falls and one that stands until nothing lies between."""
+    """Bisection between a thickness that falls and one that stands, down to rounding."""
     if n < 6 or n % 2:
         raise ValueError(f"n = {n}; an even number of at least 6 voussoirs is covered")
     falls, stands = 0.02, 0.5

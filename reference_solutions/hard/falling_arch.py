@@ -56,7 +56,7 @@ class _Half:
 
 
 def crown_drop(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> Array:
-    """By how much the voussoir beside the crown has sunk [m] at increasing times t (k,) [s]."""
+    """The sinking [m] of the voussoir beside the crown at increasing times t (k,) [s]."""
     from scipy.integrate import solve_ivp
 
     require_positive("in SI units", thick=thick, size=size, g=g)

@@ -19,7 +19,7 @@ from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
 
-_BEYOND = 1.000001  # of the last time: so far is solved
+_BEYOND = 1.000001  # of the last time: the end of the integration
 _SHARP = {"rtol": 1e-12, "atol": 1e-14}
 
 
@@ -51,7 +51,7 @@ def middle(t: ArrayLike, *, mu: float, slope: float, half: float, V: float, g: f
 def _slide(
     start: Array, times: Array, mu: float, half: float, g: float
 ) -> tuple[float, Array, Array]:
-    """When the end stops [s], the state then, and the places of the middle before.
+    """When the end stops [s], the state then, and the positions of the middle before.
 
     States hold the middle's x, theta and their rates.
     """
@@ -78,7 +78,7 @@ def _slide(
 
 
 def _turn(times: Array, start: Array, mu: float, half: float, g: float) -> Array:
-    """Places of the middle once the end rests, from the state in which it stopped.
+    """Positions of the middle once the end rests, from the state in which it stopped.
 
     Raises ValueError where friction does not hold the end.
     """

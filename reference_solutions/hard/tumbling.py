@@ -18,8 +18,8 @@ from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
-PARTS = 8  # of a time over which what turns about L is integrated, each by so many nodes
-LOOKS = 400  # in which the first corner that meets the plane is looked for
+PARTS = 8  # parts of a time in which the rotation about L is integrated, each with so many nodes
+LOOKS = 400  # parts in which the first corner that meets the plane is searched
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,7 @@ class Landing:
 
 
 def clearance(t: Array, body: Body, w: Array, n: Array) -> Array:
-    """How far (k, c) [m] along n (3,) the corners are above the centre at times t (k,) [s]."""
+    """Heights (k, c) [m] of the corners over the centre along n (3,) at times t (k,) [s]."""
     return np.asarray(turned(t, body, w) @ body.corners.T).transpose(0, 2, 1) @ n
 
 

@@ -24,7 +24,7 @@ def pressing(xi: float) -> float:
 
 
 def slid(t: ArrayLike, *, dip: float, xi: float, mu: float, g: float) -> Array:
-    """How far down the groove it is [m] at times t >= 0 [s] from rest; dip i [degrees]."""
+    """Displacement down the groove [m] at times t >= 0 [s] from rest; dip i [degrees]."""
     require_positive("m/s2", g=g)
     require_at_least_0("", mu=mu, dip=dip)
     drive = sin(radians(dip)) - pressing(xi) * mu * cos(radians(dip))

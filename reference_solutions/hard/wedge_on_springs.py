@@ -1,8 +1,9 @@
 """A sphere of mass m on springs kn, ks slides down a groove whose two sides open by xi.
 
-It starts pressed by N/kn into each side, N = W cos(i)/(2 sin(xi/2)), so that it sinks nowhere; but
-its shear springs start slack, and it swings on both, m s'' = m g sin(i) - 2 ks s, until each bears
-mu N. From then on the friction is steady. Raises ValueError for parameters outside their ranges.
+It starts pressed by N/kn into each side, N = W cos(i)/(2 sin(xi/2)), so that it does not sink; but
+its shear springs start slack, and it oscillates on both, m s'' = m g sin(i) - 2 ks s, until each
+bears mu N. From then on the friction is steady. Raises ValueError for parameters outside their
+ranges.
 """
 
 from math import cos, radians, sin
@@ -17,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 def slid(t: ArrayLike, *, dip: float, xi: float, mu: float, g: float, m: float, ks: float) -> Array:
-    """How far down the groove it is [m] at times t >= 0 [s] from rest; dip i [degrees]."""
+    """Displacement down the groove [m] at times t >= 0 [s] from rest; dip i [degrees]."""
     require_positive("in SI units", g=g, m=m, ks=ks)
     require_at_least_0("", mu=mu, dip=dip)
     at, i = require_times(t), radians(dip)
@@ -27,7 +28,7 @@ def slid(t: ArrayLike, *, dip: float, xi: float, mu: float, g: float, m: float, 
     if held >= 2.0 * pull:
         return np.asarray(swung)
     if held >= pull:
-        raise ValueError(f"mu = {mu}; it slips and stops, which no closed form here tells")
+        raise ValueError(f"mu = {mu}; it slips and stops, for which there is no closed form here")
     slips = np.arccos(1.0 - held / pull) / w
     since = at - slips
     speed = pull / w * np.sin(w * slips)

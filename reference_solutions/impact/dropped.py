@@ -59,7 +59,9 @@ class Drop(NamedTuple):
             return float(force)
 
         half = pi / sqrt(self.kn / self.m * (1.0 - self.z**2))
-        for k in range(40, 121):  # the force rises at once and falls once, later than the turn
+        for k in range(
+            40, 121
+        ):  # the force starts above zero and falls to zero once, after the turning point
             if push(k * half / 60.0) <= 0.0:
                 found = brentq(push, (k - 1) * half / 60.0, k * half / 60.0, xtol=1e-300)
                 return float(found)

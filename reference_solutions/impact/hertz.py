@@ -42,7 +42,7 @@ def shear_factor(*, modulus: float, radius: float) -> float:
 
 
 def deepest(*, m: float, K: float, v: float) -> float:
-    """Largest overlap [m]: 2/5 K U^(5/2) is the energy m v^2/2 that is there at first."""
+    """Largest overlap [m]: 2/5 K U^(5/2) is the initial energy m v^2/2."""
     require_positive("in SI units", m=m, K=K, v=v)
     return float((1.25 * m * v**2 / K) ** 0.4)
 

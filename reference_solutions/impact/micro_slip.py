@@ -9,9 +9,9 @@ annulus, and what Mindlin and Deresiewicz (1953) have for other paths.
 
 All places that slip in one direction stick at once, as soon as slip falls below h U'; places that
 stick begin to slip from the edge inwards. So the contact is at any time stuck as a whole (it
-grows), slipping as a whole, or slipping outside of one place and stuck inside, where it is as it
-was when that place last was the edge or slipped. Between such changes the equations are solved by
-an explicit method of order 8, and T, unless all sticks, by that memory, in closed form.
+grows), slipping as a whole, or slipping outside of one place and stuck inside, where its state is
+that at which this place was last the edge, or slipped. Between such changes the equations are
+solved by an explicit method of order 8, and T, unless all sticks, by that memory, in closed form.
 """
 
 from collections.abc import Callable
@@ -27,8 +27,8 @@ from reference_solutions.impact.rebound import MOST, RELATIVE, WALL, After, Impa
 Array = NDArray[np.float64]
 Inner = tuple[float, float, float]
 """sqrt(d) of the innermost place that slips, the slide when it was the edge, and T inside then."""
-NEAR = 1e-9  # of a duration, to which that time is found: T errs by the square
-STEPS = 50  # at least, in the time that an overlap takes to grow and fall
+NEAR = 1e-9  # of a duration: accuracy of that time; the error of T is its square
+STEPS = 50  # least number of steps while an overlap grows and falls
 
 
 class Slipped(NamedTuple):
@@ -60,7 +60,7 @@ def rebound(
     partner: Sphere = WALL,
     partner_spin: float = 0.0,
 ) -> After:
-    """What an impact ends with; parameters as for `reference_solutions.impact.rebound.rebound`.
+    """The result of an impact; parameters as for `reference_solutions.impact.rebound.rebound`.
 
     Raises ValueError for a law that is not elastic and by Hertz, RuntimeError if integration fails.
     """
@@ -195,7 +195,7 @@ class _Contact:
         return float(past - sign * (y[7] - old[7]))
 
     def after(self, event: str, y: Array, mode: float) -> float:
-        """How the contact goes on."""
+        """The next mode of the contact."""
         if event == "through":
             self.parts.pop()
             if self.parts and isinstance(last := self.parts[-1], Slipped) and last.sign == mode:

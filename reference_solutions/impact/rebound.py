@@ -6,11 +6,10 @@ Forces, with the overlap U [m] and exponent p (1: linear springs, 3/2: Hertz and
   whole of Fn; s is the slip where the bodies touch, in the middle of the overlap, so that arms are
   R - U/2.
 Codes differ in some of these, which `Law` therefore has as numbers: the arms of slip, R - a U, and
-of torque, R - b U, and whether a spring of today's stiffness holds all of the slip: T is then
--S U^(p - 1) times the integral of s.
-The equations are solved in Cartesian coordinates by an explicit method of order 8 between events,
-at which the contact begins or ends to slip. There is no closed form, but for a sphere that slips
-throughout: vt falls by mu (1 + e) vn.
+of torque, R - b U, and whether a spring of the current stiffness holds all of the slip: T is then
+-S U^(p - 1) times the integral of s. The equations are solved in Cartesian coordinates by an
+explicit method of order 8 between events, at which the contact begins or ends to slip. There is no
+closed form, but for a sphere that slips throughout: vt falls by mu (1 + e) vn.
 """
 
 from collections.abc import Sequence
@@ -32,7 +31,7 @@ class Law:
     """K, S [N/m^p], friction mu, exponent p, and z of D = 2 z sqrt(m p K), m the reduced mass.
 
     a, b: arms of slip and of torque are R - a U and R - b U. h: T' has h (p - 1) T U'/U beside the
-    increments: 0 for increments alone, 1 for a spring of today's stiffness.
+    increments: 0 for increments alone, 1 for a spring of the current stiffness.
     """
 
     K: float
@@ -153,7 +152,7 @@ class Impact:
         return overlap, -(c * float(y[2]) + s * float(y[3]))
 
     def clearing(self, y: Array) -> float:
-        """How long bodies that no longer touch overlap [s], as they go on."""
+        """How long bodies whose contact has ended still overlap [s]."""
         place, speed = y[:2], y[2:4]
         if self.partner.is_wall:
             return float(-place[0] / speed[0])

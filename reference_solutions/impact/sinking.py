@@ -1,8 +1,8 @@
 """A sphere sinks in a fluid whose drag is that of Schiller and Naumann (1933), by quadrature.
 
-v' = a (1 - b) - v (1 + 0.15 (k v)^0.687)/s for the speed v downwards, with s = rho d^2/(18 mu),
-k = rho_f d/mu and b = rho_f/rho. With v = w + (v0 - w) exp(-x), w the speed at which it sinks in
-the end, time and depth are integrals over x of functions that are smooth for all x.
+v' = a (1 - b) - v (1 + 0.15 (k v)^0.687)/s for the speed v downwards, with s = rho d^2/(18 mu), k =
+rho_f d/mu and b = rho_f/rho. With v = w + (v0 - w) exp(-x), w the terminal speed, time and depth
+are integrals over x of functions that are smooth for all x.
 """
 
 from typing import NamedTuple
@@ -42,7 +42,7 @@ class Sinking(NamedTuple):
 
     @property
     def quickest(self) -> float:
-        """1/s, the largest rate at which two speeds near each other become one: -dv'/dv."""
+        """1/s, the largest rate at which two close speeds converge: -dv'/dv."""
         reynolds = self.rho_f * self.d * max(self.v0, self.last) / self.mu
         return float((1.0 + (1.0 + POWER) * FACTOR * reynolds**POWER) / self.time)
 

@@ -4,9 +4,9 @@ The normal force is m g throughout. With the slip s, the arm a and q = 1 + m a^2
 
     s' = q T/m, m v' = T, T' = -ks s until |T| = mu m g
 
-It charges the spring, T = -ks v0/w sin(w t) with w^2 = q ks/m, slips, s' = -q mu g, and then
-sticks and swings about rolling: T = -mu m g cos(w t). On rigid contact (ks without end) it slips
-up to v0/(q mu g), 2/7 v0/(mu g) of a solid sphere, and rolls at (1 - 1/q) v0, 5/7 of it.
+It charges the spring, T = -ks v0/w sin(w t) with w^2 = q ks/m, slips, s' = -q mu g, and then sticks
+and oscillates about rolling: T = -mu m g cos(w t). On rigid contact (ks without end) it slips up to
+v0/(q mu g), 2/7 v0/(mu g) of a solid sphere, and rolls at (1 - 1/q) v0, 5/7 of it.
 """
 
 from math import asin, cos, sin, sqrt
@@ -39,7 +39,7 @@ class Sliding(NamedTuple):
 
     @property
     def w(self) -> float:
-        """Of the swing on the shear spring [1/s]."""
+        """The frequency of the oscillation on the shear spring [1/s]."""
         return sqrt(self.q * self.ks / self.m)
 
     @property

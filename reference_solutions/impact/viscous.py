@@ -99,7 +99,7 @@ def largest_force(z: float, *, m: float, K: float, v: float) -> float:
     swing = _Swing(z, m, K, v)
 
     def steepness(p: float) -> float:
-        """That of log F, times y and the slowing."""
+        """The derivative of log F, times y and the deceleration."""
         grows = 0.25 * swing.rate(p) * swing.slowing(p)
         return grows + swing.y(p) * swing.bend(p)
 

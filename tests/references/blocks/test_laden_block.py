@@ -66,5 +66,5 @@ def test_any_wrong_sign_in_the_formula_is_caught(sign: int) -> None:
     "changed", [{"D": 0.2}, {"v": 1.5}, {"v": 9.0, "press": -8.5}, {"v": 3.0, "a": 20.0}]
 )
 def test_a_block_that_would_leave_or_stop_is_refused(changed: dict[str, float]) -> None:
-    with pytest.raises(ValueError, match="the block must press and slip on"):
+    with pytest.raises(ValueError, match="it must stay positive"):
         CASE.declare("level", {**CASE.defaults("level"), **changed})

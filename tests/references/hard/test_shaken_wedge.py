@@ -54,6 +54,6 @@ def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
 def test_a_wedge_that_friction_holds_is_refused_in_words() -> None:
     case = find().load_case("shaken-wedge")
     with pytest.raises(
-        ValueError, match=r"phi = 35.0 degrees: friction in the groove, 1.027, hold"
+        ValueError, match=r"phi = 35.0 degrees; friction in the groove, 1.027, hold"
     ):
         case.declare("along", {**case.defaults("along"), "phi": 35.0})
