@@ -86,7 +86,7 @@ def test_shaking_is_felt_in_the_middle_of_a_step_and_by_replicas_at_its_end(
     done, along = system(asked(scene, dt, 1e8, 0.4, 0.1), way), 5.0 * math.cos(dip)
     t = done.times
     exact = t * G * math.sin(dip) + along / omega * (1 - np.cos(omega * t))
-    due = (way.felt - 0.5) * dt * along * np.sin(omega * t)
+    due = (way.shaking_at - 0.5) * dt * along * np.sin(omega * t)
     off = rates(done) @ scene.axes[0] - exact
     assert off == pytest.approx(due, abs=along * omega * dt**2 / 6)
 

@@ -20,9 +20,9 @@ class Formulation:
     tolerance: iterations end when no contact changes between open, stick and slide, and no friction
     differs from that of the last solution by more than this fraction; inf takes friction from the
     iteration before as it is (lagged). iterations: their largest number; after these, and `newton`
-    of Newton's iteration, a step is halved. stepping: the time integration. felt: the fraction of a
-    step at which shaking is evaluated. 1 is DDA's own, with velocities that lack half a step's
-    change of the shaking; 1/2 is as accurate as the mean, to (w dt)^2/24.
+    of Newton's iteration, a step is halved. stepping: the time integration. shaking_at: the
+    fraction of a step at which shaking is evaluated. 1 is DDA's own, with velocities that lack half
+    a step's change of the shaking; 1/2 is as accurate as the mean, to (w dt)^2/24.
 
     terms: how many terms of the exponential series of the displacement gradient move the vertices;
     one term is T d (Yagoda-Biran 2016, Eqs. 3, 4), by which rotating blocks grow. turns: rounds of
@@ -44,7 +44,7 @@ class Formulation:
     terms: int
     newton: int = 0
     stepping: Stepping = IMPLICIT
-    felt: float = 1.0
+    shaking_at: float = 1.0
     turns: int = TURNS
     follow: int = SERIES
     settling: float = 0.0
@@ -63,7 +63,7 @@ class Formulation:
             "newton": self.newton >= 0,
             "multipliers": self.multipliers >= 0,
             "eased": self.eased >= 0,
-            "felt": 0 <= self.felt <= 1,
+            "shaking_at": 0 <= self.shaking_at <= 1,
             "turns": self.turns >= 0,
             "follow": self.follow >= 0,
             "settling": 0 <= self.settling < math.inf,
@@ -76,9 +76,9 @@ class Formulation:
 
 
 DEFAULT = Formulation(
-    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS, felt=0.5
+    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS, shaking_at=0.5
 )
-"""Friction iterated to convergence within the open-close iteration, shaking felt on average."""
+"""Friction iterated to convergence within the open-close iteration, mean shaking."""
 
 PUBLISHED = Formulation(
     tolerance=math.inf, iterations=6, terms=1, turns=0, follow=0, settling=2.0,
@@ -91,12 +91,12 @@ LAGGED = Formulation(tolerance=math.inf, iterations=MOST, terms=SERIES)
 
 DAMPED = Formulation(
     tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS,
-    stepping=generalised_alpha(RADIUS), felt=1.0 - generalised_alpha(RADIUS).alpha_f,
+    stepping=generalised_alpha(RADIUS), shaking_at=1.0 - generalised_alpha(RADIUS).alpha_f,
 )  # fmt: skip
 """DEFAULT but for inertia, which generalised alpha steps: second order, known damping."""
 
 BORNE = Formulation(
     tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, stepping=LEAPING,
-    felt=0.0, shear=1.0, pressed=False, multipliers=MULTIPLIERS,
+    shaking_at=0.0, shear=1.0, pressed=False, multipliers=MULTIPLIERS,
 )  # fmt: skip
 """Contacts whose forces multipliers bear and not springs (Lin, Amadei, Jung and Dwyer 1996)."""

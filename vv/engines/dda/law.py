@@ -16,7 +16,7 @@ def respond(
     gap: float,
     slip: Triple,
     spring: Triple,
-    way: Triple,
+    direction: Triple,
     kn: float,
     ks: float | None,
     mu: float | None,
@@ -26,11 +26,12 @@ def respond(
 ) -> tuple[int, float, Triple]:
     """The state, the normal force [N] and the direction of friction that a solved step calls for.
 
-    Friction acts opposite to that direction. state, way: the assumed state and direction; gap: at
-    the end [m]; slip: tangential displacement in the step [m]; spring: tangential stretch at its
-    beginning [m]. There is no tension; a contact slides if its spring would exceed mu N. ease: the
-    stiffness [N/m] by which inertia resists slip, with which this is Newton's iteration for a block
-    on a plane. coulomb: whether friction follows `return_mapping`, otherwise `lagged_friction`.
+    Friction acts opposite to that direction. state, direction: the assumed state and direction;
+    gap: at the end [m]; slip: tangential displacement in the step [m]; spring: tangential stretch
+    at its beginning [m]. There is no tension; a contact slides if its spring would exceed mu N.
+    ease: the stiffness [N/m] by which inertia resists slip, with which this is Newton's iteration
+    for a block on a plane. coulomb: whether friction follows `return_mapping`, otherwise
+    `lagged_friction`.
     """
     if gap >= 0.0:
         return OPEN, 0.0, NOWHERE
@@ -38,9 +39,9 @@ def respond(
     if mu is None or ks is None:
         return SLIDE, push, NOWHERE
     if coulomb:
-        now, along = return_mapping(state, mu * push, slip, spring, way, ks, ease)
+        now, along = return_mapping(state, mu * push, slip, spring, direction, ks, ease)
     else:
-        now, along = lagged_friction(state, mu * push, slip, spring, way, ks, hold, ease)
+        now, along = lagged_friction(state, mu * push, slip, spring, direction, ks, hold, ease)
     return now, push, along
 
 
@@ -50,7 +51,7 @@ def lagged_friction(
     cap: float,
     slip: Triple,
     spring: Triple,
-    way: Triple,
+    direction: Triple,
     ks: float,
     hold: float,
     ease: float,
@@ -59,34 +60,34 @@ def lagged_friction(
 
     hold 1: springs carry friction while a contact slides; it sticks when they no longer exceed cap.
     hold 0: they are reset; a contact sticks when it slides back. The next direction is that of cap
-    way + ease (slip + hold spring), which in a converged step is that of its second part.
+    direction + ease (slip + hold spring), which in a converged step is that of its second part.
     """
     trial = add_scaled(spring, 1.0, slip)
     stretch = np.sqrt(dot(trial, trial))
     if state != SLIDE and ks * stretch > cap:
         return SLIDE, add_scaled(NOWHERE, 1.0 / stretch, trial)
-    sticks = ks * stretch <= cap if hold > 0.0 else dot(way, slip) < 0.0
+    sticks = ks * stretch <= cap if hold > 0.0 else dot(direction, slip) < 0.0
     if state != SLIDE or sticks:
         return STICK, NOWHERE
-    toward = add_scaled(add_scaled(NOWHERE, cap, way), ease, add_scaled(slip, hold, spring))
+    toward = add_scaled(add_scaled(NOWHERE, cap, direction), ease, add_scaled(slip, hold, spring))
     length = np.sqrt(dot(toward, toward))
-    return SLIDE, (add_scaled(NOWHERE, 1.0 / length, toward) if length > 0.0 else way)
+    return SLIDE, (add_scaled(NOWHERE, 1.0 / length, toward) if length > 0.0 else direction)
 
 
 @inlined
 def return_mapping(
-    state: int, cap: float, slip: Triple, spring: Triple, way: Triple, ks: float, ease: float
+    state: int, cap: float, slip: Triple, spring: Triple, direction: Triple, ks: float, ease: float
 ) -> tuple[int, Triple]:
     """As `lagged_friction` with hold 1, but by Coulomb's law: a repeated state is a solution.
 
     The trial stretch spring + slip is returned to cap/ks in its own direction (Simo and Hughes
-    1998, Sec. 2.5). A contact slides only if it goes on along `way`, which `lagged_friction` does
-    not require: along a slip that friction itself has reversed, friction would create energy.
+    1998, Sec. 2.5). A contact slides only if it goes on along `direction`, which `lagged_friction`
+    does not require: along a slip that friction itself has reversed, friction would create energy.
     """
     trial = add_scaled(spring, 1.0, slip)
     toward = trial
     if state == SLIDE:
-        toward = add_scaled(add_scaled(NOWHERE, cap, way), ease, trial)
+        toward = add_scaled(add_scaled(NOWHERE, cap, direction), ease, trial)
     length = np.sqrt(dot(toward, toward))
     if length == 0.0 or ks * dot(toward, trial) <= cap * length:
         return STICK, NOWHERE

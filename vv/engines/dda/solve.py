@@ -76,10 +76,10 @@ class PreparedBlocks:
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
         """The arguments of the kernel: outputs, the step, the scene."""
-        goal, dt, way = self.ask.goal, self.ask.dt, self.formulation
+        goal, dt, choices = self.ask.goal, self.ask.dt, self.formulation
         outputs = self.system.outputs(len(goal.times(dt)), self.watched)
-        step = (goal.stride(dt), dt, self.settling, way.tolerance, way.iterations)
-        law = springs(self.ask.scene, self.ask.knobs.kn, way)
+        step = (goal.stride(dt), dt, self.settling, choices.tolerance, choices.iterations)
+        law = springs(self.ask.scene, self.ask.knobs.kn, choices)
         return (*outputs, *self.system.arguments(step, law))
 
     @functools.cached_property
@@ -213,8 +213,8 @@ class PreparedBlocks:
         if not np.isfinite(self.formulation.tolerance):
             return 0.0
         lightest = min(block.mass for block in self.ask.scene.blocks)
-        adrift, way = float(report[7]), np.sqrt(2 * kinetic / lightest) * self.ask.goal.duration
-        return adrift * float(way)
+        adrift, path = float(report[7]), np.sqrt(2 * kinetic / lightest) * self.ask.goal.duration
+        return adrift * float(path)
 
     def _roundings(self) -> float:
         """The force [N] that corresponds to the rounding of the momenta at t = 0."""
@@ -228,11 +228,11 @@ class PreparedBlocks:
 def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
     """The ask, prepared with the smallest model that serves its scene."""
     dd = ask.knobs.dd
-    way = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
+    choices = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
     held = any(isinstance(what, Reaction | Impulse) for what in ask.observables)
-    small = sliding(ask.scene, way) if way.stepping == IMPLICIT and not held else None
-    system = small or General(ask.scene, way)
-    return PreparedBlocks(ask, way, system)
+    small = sliding(ask.scene, choices) if choices.stepping == IMPLICIT and not held else None
+    system = small or General(ask.scene, choices)
+    return PreparedBlocks(ask, choices, system)
 
 
 def solve(ask: Ask, formulation: Formulation) -> Run:

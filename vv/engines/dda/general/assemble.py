@@ -69,13 +69,13 @@ def apply_loads(outer: Vector, bodies: Bodies, shake: Triple) -> None:
 
 @lent
 def contact_force(
-    k: int, touch: Touch, state: int, force: float, way: Triple, moved: Triple,
+    k: int, touch: Touch, state: int, force: float, direction: Triple, moved: Triple,
     kn: float, ks: float, mu: float,
 ) -> Triple:  # fmt: skip
     """The force [N] of contact k on its second body for zero unknowns.
 
-    moved: the displacement of the wall [m]; state, force, way: the assumed state, normal force [N]
-    and direction opposite to friction.
+    moved: the displacement of the wall [m]; state, force, direction: the assumed state, normal
+    force [N] and direction opposite to friction.
     """
     pull = NOWHERE
     if state != OPEN:
@@ -86,5 +86,5 @@ def contact_force(
             stretch = add_scaled(at(touch.spring, k), -1.0, add_scaled(moved, -closing, n))
             pull = add_scaled(pull, -ks, stretch)
         if state == SLIDE:
-            pull = add_scaled(pull, -mu * force, way)
+            pull = add_scaled(pull, -mu * force, direction)
     return pull

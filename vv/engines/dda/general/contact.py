@@ -26,17 +26,17 @@ class Touch(NamedTuple):
     """The data of c contact points, in the order of detection.
 
     key: (c,); state: (c,) open, stick or slide; spring: (c, 3) tangential stretch [m]; push: (c,)
-    normal force [N]; way: (c, 3) unit vector opposite to friction on the second body; gap: (c,)
-    [m]; normal: (c, 3); wall: (c,) number of the wall or -1; column: (c, MOST) unknowns; field: (c,
-    MOST, 3) relative displacement of the second body per unknown; columns: (c,) number of unknowns;
-    first, second: (c,) bodies; force: (c, 3) on the second body in the step [N].
+    normal force [N]; direction: (c, 3) unit vector opposite to friction on the second body; gap:
+    (c,) [m]; normal: (c, 3); wall: (c,) number of the wall or -1; column: (c, MOST) unknowns;
+    field: (c, MOST, 3) relative displacement of the second body per unknown; columns: (c,) number
+    of unknowns; first, second: (c,) bodies; force: (c, 3) on the second body in the step [N].
     """
 
     key: Index
     state: Index
     spring: Vector
     push: Vector
-    way: Vector
+    direction: Vector
     gap: Vector
     normal: Vector
     wall: Index
@@ -61,10 +61,12 @@ def contact_arrays(count: int) -> Touch:
 
 
 @lent
-def close_initial(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: float) -> None:
+def close_initial(
+    touch: Touch, displacement: Vector, kn: float, ks: float, mu: float, hold: float
+) -> None:
     """Set the points that overlap at the start to stick, with the normal forces of their springs.
 
-    went: unknowns (q,) of the displacement from the positions in the scene; with hold 1 the
+    displacement: unknowns (q,) of the displacement from the positions in the scene; with hold 1 the
     tangential springs are stretched by it, as far as friction allows.
     """
     for k in range(len(touch.key)):
@@ -72,7 +74,7 @@ def close_initial(touch: Touch, went: Vector, kn: float, ks: float, mu: float, h
             touch.state[k], touch.push[k] = STICK, -kn * touch.gap[k]
             spring, n = NOWHERE, at(touch.normal, k)
             for m in range(touch.columns[k]):
-                spring = add_scaled(spring, went[touch.column[k, m]], at(touch.field[k], m))
+                spring = add_scaled(spring, displacement[touch.column[k, m]], at(touch.field[k], m))
             spring = add_scaled(spring, -dot(spring, n), n)
             force, limit = ks * np.sqrt(dot(spring, spring)), mu * touch.push[k]
             part = 1.0 if force <= limit else limit / force
@@ -107,7 +109,7 @@ def copy_state(touch: Touch, k: int, old: Touch, m: int) -> None:
     n = at(touch.normal, k)
     touch.state[k], touch.push[k] = old.state[m], old.push[m]
     put(touch.spring, k, rotated_into_plane(at(old.spring, m), n))
-    put(touch.way, k, rotated_into_plane(at(old.way, m), n))
+    put(touch.direction, k, rotated_into_plane(at(old.direction, m), n))
 
 
 @called

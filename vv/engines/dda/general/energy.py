@@ -88,7 +88,7 @@ def add_contact_energies(
             rubs = add_scaled(NOWHERE, -1.0, taken)
             if touch.state[k] == SLIDE:
                 off = add_scaled(
-                    add_scaled(NOWHERE, mu * touch.push[k], at(touch.way, k)), -1.0, taken
+                    add_scaled(NOWHERE, mu * touch.push[k], at(touch.direction, k)), -1.0, taken
                 )
                 worst[RESIDUAL] = larger(worst[RESIDUAL], np.sqrt(dot(off, off)))
         force = add_scaled(rubs, push, n)
@@ -105,19 +105,19 @@ def add_contact_energies(
 
 @called
 def check_momentum(
-    worst: Vector, pull: Vector, outer: Vector, u: Vector, begun: Vector, step: float,
+    worst: Vector, pull: Vector, outer: Vector, u: Vector, predictor: Vector, step: float,
     weight: float, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
 ) -> None:  # fmt: skip
     """Store the largest error of a block's momentum balance in the step [N], and the largest force.
 
     pull, outer: generalised forces (q,) of contacts and all others when they are evaluated; u (q,):
-    unknowns at that time; begun (q,), weight: see `inertia`; step [s].
+    unknowns at that time; predictor (q,), weight: see `inertia`; step [s].
     """
     q = len(u)
     change, strain = numbers(q), numbers(q)
     gain, held_back = numbers(q), numbers(q)
     for a in range(q):
-        change[a] = weight / step * (u[a] / step - begun[a])
+        change[a] = weight / step * (u[a] / step - predictor[a])
         strain[a] = motion.strain[a] + u[a]
     times_blocks(gain, mass, bodies, change)
     times_blocks(held_back, elastic, bodies, strain)

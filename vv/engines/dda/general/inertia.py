@@ -15,16 +15,18 @@ Rule = tuple[float, float, float, float]
 
 
 @lent
-def inertia_terms(begun: Vector, velocity: Vector, rate: Vector, rule: Rule, step: float) -> float:
-    """Fill begun (q,) from velocities and accelerations `rate` (q,); return the weight of inertia.
+def inertia_terms(
+    predictor: Vector, velocity: Vector, rate: Vector, rule: Rule, step: float
+) -> float:
+    """Fill predictor (q,) from velocities and accelerations `rate` (q,); return inertia's weight.
 
-    M ((1 - alpha_m) a1 + alpha_m a0) is then weight M (u/D - begun)/D.
+    M ((1 - alpha_m) a1 + alpha_m a0) is then weight M (u/D - predictor)/D.
     """
     alpha_m, alpha_f, beta, _ = rule
     share = 1.0 - alpha_f
     lead = (0.5 - beta - alpha_m * beta / (1.0 - alpha_m)) * step
-    for a in range(len(begun)):
-        begun[a] = share * (velocity[a] + lead * rate[a])
+    for a in range(len(predictor)):
+        predictor[a] = share * (velocity[a] + lead * rate[a])
     return (1.0 - alpha_m) / (share * beta)
 
 

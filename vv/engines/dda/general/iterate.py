@@ -42,13 +42,13 @@ def inertia_stiffness(
 @called
 def iterate(  # noqa: PLR0912 - a branch per contact state
     d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
-    moved: Vector, begun: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
+    moved: Vector, predictor: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
     hold: float, tolerance: float, iterations: int, most: int, elastic: Vector,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
     """Solve for the unknowns d (q,) of a step [s] and for the states of all contacts.
 
-    outer: (q,) generalised loads; moved: (w, 3) displacements of walls [m]; begun (q,), weight: the
-    inertia terms, see `inertia`; iterations: of the open-close iteration; most: solutions by
+    outer: (q,) generalised loads; moved: (w, 3) displacements of walls [m]; predictor (q,), weight:
+    the inertia terms, see `inertia`; iterations: of the open-close iteration; most: solutions by
     Newton's iteration if that does not converge.
 
     Returns whether the iteration converged, the number of solutions, and per contact what the last
@@ -62,7 +62,7 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
     used, rub = counts(count), zero_rows(count)
     relative, shut = zero_rows(count), zero_rows(count)
     fill_profile(first, bodies, touch)
-    times_blocks(constant, mass, bodies, begun)
+    times_blocks(constant, mass, bodies, predictor)
     times_blocks(right, elastic, bodies, motion.strain)
     for a in range(q):
         constant[a] = outer[a] + weight / step * constant[a] - right[a]
@@ -82,7 +82,7 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
             right[a] = constant[a]
         for k in range(count):
             pull = contact_force(
-                k, touch, used[k], touch.push[k], at(touch.way, k), at(shut, k), kn, ks, mu
+                k, touch, used[k], touch.push[k], at(touch.direction, k), at(shut, k), kn, ks, mu
             )
             for m in range(touch.columns[k]):
                 right[touch.column[k, m]] += dot(at(touch.field[k], m), pull)
@@ -98,19 +98,23 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
             opened = dot(moves, n)
             slip, taken = add_scaled(moves, -opened, n), NOWHERE
             if used[k] == SLIDE:
-                taken = add_scaled(NOWHERE, mu * touch.push[k], at(touch.way, k))
+                taken = add_scaled(NOWHERE, mu * touch.push[k], at(touch.direction, k))
             put(relative, k, moves)
             put(rub, k, taken)
-            gap, spring, way = touch.gap[k] + opened, at(touch.spring, k), at(touch.way, k)
-            now, push, way = respond(
-                used[k], gap, slip, spring, way, kn, ks, mu, hold, ease[k], tolerance < np.inf
+            gap, spring, direction = (
+                touch.gap[k] + opened,
+                at(touch.spring, k),
+                at(touch.direction, k),
+            )
+            now, push, direction = respond(
+                used[k], gap, slip, spring, direction, kn, ks, mu, hold, ease[k], tolerance < np.inf
             )
             touch.state[k], touch.push[k] = now, push
-            put(touch.way, k, way)
+            put(touch.direction, k, direction)
             if now != used[k]:
                 fresh, ended = True, False
             elif now == SLIDE:
-                off = add_scaled(add_scaled(NOWHERE, mu * push, way), -1.0, taken)
+                off = add_scaled(add_scaled(NOWHERE, mu * push, direction), -1.0, taken)
                 if np.sqrt(dot(off, off)) > tolerance * mu * push:
                     ended = False
     if ended or most == 0:

@@ -84,11 +84,11 @@ def move_walls(
 
 
 @lent
-def restore_states(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
+def restore_states(touch: Touch, state: Index, push: Vector, direction: Vector) -> None:
     """Restore the states of contacts after an iteration that did not converge."""
     for k in range(len(touch.key)):
         touch.state[k], touch.push[k] = state[k], push[k]
-        put(touch.way, k, at(way, k))
+        put(touch.direction, k, at(direction, k))
 
 
 @compiled_to_branch
@@ -104,7 +104,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     iterations: int,
     newton: int,
     rule: Rule,
-    felt: float,
+    shaking_at: float,
     terms: int,
     turns: int,
     follow: int,
@@ -112,7 +112,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     hold: float,
     multipliers: int,
     bodies: Bodies,
-    begun: Motion,
+    initial: Motion,
     motion: Motion,
     shapes: Shapes,
     moves: Mask,
@@ -130,11 +130,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     """Integrate the motion of all blocks by DDA; return the rows filled.
 
     settling: steps before t = 0, with shaking and walls at rest; rule: of all steps but the first,
-    which has DDA's own; tolerance, iterations, newton, felt, terms, turns, follow, dd, multipliers:
-    see `Formulation`; hold: 1 where its `charged` is true, else 0; begun: the motion at the start;
-    motion: is set to that at the end; base, starts: see `drives`; shaking: an acceleration of all
-    bodies; kn, ks [N/m] and mu of each contact point; reach [m]: see `find_contacts`; elastic: (q,
-    12) stiffness of strains [N m], laid out as `fill_masses`.
+    which has DDA's own; tolerance, iterations, newton, shaking_at, terms, turns, follow, dd,
+    multipliers: see `Formulation`; hold: 1 where its `charged` is true, else 0; initial: the motion
+    at the start; motion: is set to that at the end; base, starts: see `drives`; shaking: an
+    acceleration of all bodies; kn, ks [N/m] and mu of each contact point; reach [m]: see
+    `find_contacts`; elastic: (q, 12) stiffness of strains [N m], laid out as `fill_masses`.
 
     Every `stride` steps a row is written: path (k, b, 21) of the observed blocks: displacement,
     velocity, strain tensor, force of contacts and shaking and its impulse since t = 0. The force is
@@ -142,19 +142,19 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     and report (k, 9): see `energy.py`. It is one function since all parts of a step share its
     variables.
     """
-    walls, q = len(planes.point), len(begun.velocity)
+    walls, q = len(planes.point), len(initial.velocity)
     shift, ahead, moved = zero_rows(walls), zero_rows(walls), zero_rows(walls)
     mass, outer, flow = zero_table(q, 12), zero_numbers(q), zero_numbers(q)
     d, pull, turn = zero_numbers(q), zero_numbers(q), zero_numbers(q)
-    u, begun_by, rate = zero_numbers(q), zero_numbers(q), zero_numbers(q)
+    u, predictor, rate = zero_numbers(q), zero_numbers(q), zero_numbers(q)
     now = FIRST if multipliers == 0 else HALF
-    feels = felt if rule[1] == 0.0 else 1.0  # the first step: rate at its end
+    shaken_at = shaking_at if rule[1] == 0.0 else 1.0  # the first step: rate at its end
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
     ledger, worst, done = zero_numbers(TERMS), zero_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
     if multipliers > 0:  # no energy in springs: allow for rounding
         spare = energy_of_fall(bodies, reach)
-    copy_motion(motion, begun)
+    copy_motion(motion, initial)
     touch = find_contacts(
         contact_arrays(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach
     )
@@ -171,30 +171,30 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 shake, share = NOWHERE, 1.0 - now[1]
                 if done >= 0:
                     move_walls(ahead, moved, shift, base, starts, done * dt + begin + part, share)
-                    shake = value(shaking, done * dt + begin + feels * part)
-                weight = inertia_terms(begun_by, motion.velocity, rate, now, part)
+                    shake = value(shaking, done * dt + begin + shaken_at * part)
+                weight = inertia_terms(predictor, motion.velocity, rate, now, part)
                 count = len(touch.key)
                 state, push = same_counts(touch.state, count), same_numbers(touch.push, count)
-                way = same_rows(touch.way, count)
+                direction = same_rows(touch.direction, count)
                 apply_loads(outer, bodies, shake)
                 rotational_loads(turn, bodies, motion, mass, elastic, part, terms, turns)
                 for a in range(q):
                     outer[a] += turn[a]
                 if multipliers == 0:
                     ended, solved, used, rub, relative = iterate(
-                        u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight,
+                        u, touch, bodies, motion, mass, outer, moved, predictor, part, weight,
                         kn, ks, mu, hold, tolerance, iterations, newton, elastic,
                     )  # fmt: skip
                 else:
                     spring = same_rows(touch.spring, count)
                     ended, solved, used, rub, relative = iterate_multipliers(
-                        u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight,
+                        u, touch, bodies, motion, mass, outer, moved, predictor, part, weight,
                         kn, ks, mu, hold, tolerance, iterations, newton, elastic, multipliers,
                     )  # fmt: skip
                 worst[SOLVED] += solved
                 worst[ITERATIONS] = larger(worst[ITERATIONS], float(solved))
                 if not ended and part > dt / CUTS:
-                    restore_states(touch, state, push, way)
+                    restore_states(touch, state, push, direction)
                     if multipliers > 0:
                         copy_rows(touch.spring, spring)
                     part *= 0.5
@@ -213,7 +213,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     )
                 fill_forces(pressed, given, touch, bodies, shake, part)
                 check_momentum(
-                    worst, pull, outer, u, begun_by, part, weight, bodies, motion, mass, elastic
+                    worst, pull, outer, u, predictor, part, weight, bodies, motion, mass, elastic
                 )
                 for a in range(q):
                     d[a] = over * u[a]
@@ -226,7 +226,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 ledger[NUMERICAL] += update_velocities(
                     motion.velocity, rate, d, mass, bodies, now, part
                 )
-                now, feels = rule, felt
+                now, shaken_at = rule, shaking_at
                 if multipliers > 0:  # accelerations of impacts do not act in the next step
                     for a in range(q):
                         rate[a] = 0.0

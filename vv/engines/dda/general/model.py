@@ -54,7 +54,7 @@ class General:
     @property
     def words(self) -> str:
         """The description of the model."""
-        blocks, way = self.scene.blocks, self.formulation
+        blocks, choices = self.scene.blocks, self.formulation
         one = len(blocks) == 1
         shape = ", a prism in a plane" if one else ", prisms in a plane"
         plane = shape if depth_axis(self.scene).any() else ""
@@ -62,9 +62,9 @@ class General:
         some = f", {len(soft)} of which deform" if soft else ""
         strains = f" that deform{'s' * one}" if len(soft) == len(blocks) else some
         spins = any(block.free_spin.sum() > 1 for block in blocks)
-        torque = ", without gyroscopic torque" if spins and not way.turns else ""
+        torque = ", without gyroscopic torque" if spins and not choices.turns else ""
         turn = any(block.free_spin.any() for block in soft)
-        behind = ", strains that do not rotate" if turn and not way.follow else ""
+        behind = ", strains that do not rotate" if turn and not choices.follow else ""
         whose = "1 block" if one else f"{len(blocks)} blocks"
         return f"{self.unknowns} unknowns of {whose}{strains}{plane}{torque}{behind}"
 
@@ -78,8 +78,8 @@ class General:
 
         step: stride, dt, settling, tolerance, iterations.
         """
-        begun = self.pressed(law, step[-2:]) if self.formulation.pressed else self.motion()
-        return (*step, *self.model_arguments(begun, self.motion(), self.formulation.dd, law))
+        initial = self.pressed(law, step[-2:]) if self.formulation.pressed else self.motion()
+        return (*step, *self.model_arguments(initial, self.motion(), self.formulation.dd, law))
 
     def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """The start, with contacts that carry the loads at rest as if friction were unlimited.
@@ -165,25 +165,25 @@ class General:
         soft = ((block.elastic, size(block)) for block in self.scene.blocks)
         return float(FLOAT * loads * (1 / law.kn + sum(1 / (e.young * h) for e, h in soft if e)))
 
-    def model_arguments(self, begun: Any, end: Any, dd: float, law: Springs) -> tuple[Any, ...]:
+    def model_arguments(self, initial: Any, end: Any, dd: float, law: Springs) -> tuple[Any, ...]:
         """The arguments of the kernel after the step; `end` is where it writes the last motion."""
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
 
-        scene, blocks, way = self.scene, self.scene.blocks, self.formulation
+        scene, blocks, choices = self.scene, self.scene.blocks, self.formulation
         base, starts = drives(tuple(wall.motion for wall in scene.walls))
         shape = shapes(blocks)
         return (
-            way.newton,
-            tuple(way.stepping),
-            way.felt,
-            way.terms,
-            way.turns,
-            way.follow,
+            choices.newton,
+            tuple(choices.stepping),
+            choices.shaking_at,
+            choices.terms,
+            choices.turns,
+            choices.follow,
             dd,
             float(self.formulation.charged),
-            way.multipliers,
+            choices.multipliers,
             self.bodies(),
-            begun,
+            initial,
             end,
             shape,
             np.array([bool(b.free.any() or b.free_spin.any()) for b in blocks]),

@@ -84,7 +84,7 @@ def take_over_forces(
             slip = add_scaled(moves, -opened, n)
             faint = shear * length(slip) < FIRM * mu * push
             turns = turns or (faint and shear * length(turned) > HELD * mu * push)
-            due = add_scaled(NOWHERE, mu * push, at(touch.way, k))
+            due = add_scaled(NOWHERE, mu * push, at(touch.direction, k))
             off = larger(off, length(add_scaled(due, -1.0, at(rub, k))))
         touch.push[k] = push
         put(touch.spring, k, spring)
@@ -119,7 +119,7 @@ def restart_sticking(touch: Touch) -> None:
 @called
 def iterate_multipliers(
     d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
-    moved: Vector, begun: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
+    moved: Vector, predictor: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
     hold: float, tolerance: float, iterations: int, newton: int, elastic: Vector, most: int,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
     """Repeat `iterate` in at most `most` passes, until springs carry nothing.
@@ -138,7 +138,7 @@ def iterate_multipliers(
     shorten_springs(touch, gap, firm, times)
     while True:
         still, more, used, rub, relative = iterate(
-            d, touch, bodies, motion, mass, outer, moved, begun, step, weight, firm,
+            d, touch, bodies, motion, mass, outer, moved, predictor, step, weight, firm,
             ks * times, mu, hold, tolerance, iterations, newton, elastic,
         )  # fmt: skip
         solved, passes = solved + more, passes + 1

@@ -25,7 +25,14 @@ from vv.scene import Vector
 
 @inlined
 def force_decrease(
-    n: Triple, way: Triple, state: int, turn: float, kn: float, ks: float, mu: float, a: Triple
+    n: Triple,
+    direction: Triple,
+    state: int,
+    turn: float,
+    kn: float,
+    ks: float,
+    mu: float,
+    a: Triple,
 ) -> Triple:
     """The decrease of a contact's force [N] for a relative displacement a [m].
 
@@ -36,8 +43,8 @@ def force_decrease(
     fall = add_scaled(NOWHERE, kn * opening, n)
     if state == STICK:
         return add_scaled(fall, ks, flat)
-    fall = add_scaled(fall, -mu * kn * opening, way)
-    return add_scaled(fall, turn, add_scaled(flat, -dot(way, flat), way))
+    fall = add_scaled(fall, -mu * kn * opening, direction)
+    return add_scaled(fall, turn, add_scaled(flat, -dot(direction, flat), direction))
 
 
 @lent
@@ -57,10 +64,10 @@ def tangent(
                 matrix[a, b] = scale * mass[a, b - begin] + elastic[a, b - begin]
     for k in range(len(touch.key)):
         if touch.state[k] != OPEN:
-            n, way = at(touch.normal, k), at(touch.way, k)
+            n, direction = at(touch.normal, k), at(touch.direction, k)
             for j in range(touch.columns[k]):
                 fall = force_decrease(
-                    n, way, touch.state[k], turn[k], kn, ks, mu, at(touch.field[k], j)
+                    n, direction, touch.state[k], turn[k], kn, ks, mu, at(touch.field[k], j)
                 )
                 for m in range(touch.columns[k]):
                     matrix[touch.column[k, m], touch.column[k, j]] += dot(
@@ -97,7 +104,7 @@ def residual_energy(
         opened = dot(moves, n)
         trial = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
         push, length = -kn * (touch.gap[k] + opened), np.sqrt(dot(trial, trial))
-        now, way, turn[k], pull = (
+        now, direction, turn[k], pull = (
             STICK,
             NOWHERE,
             0.0,
@@ -106,10 +113,14 @@ def residual_energy(
         if push <= 0.0:
             now, push, pull = OPEN, 0.0, NOWHERE
         elif ks * length > mu * push:
-            now, turn[k], way = SLIDE, mu * push / length, add_scaled(NOWHERE, 1.0 / length, trial)
-            pull = add_scaled(add_scaled(NOWHERE, push, n), -mu * push, way)
+            now, turn[k], direction = (
+                SLIDE,
+                mu * push / length,
+                add_scaled(NOWHERE, 1.0 / length, trial),
+            )
+            pull = add_scaled(add_scaled(NOWHERE, push, n), -mu * push, direction)
         touch.state[k], touch.push[k] = now, push
-        put(touch.way, k, way)
+        put(touch.direction, k, direction)
         for m in range(touch.columns[k]):
             left[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
     total = 0.0
@@ -148,26 +159,28 @@ def newton(
         for k in range(count):
             used[k] = touch.state[k]
             if used[k] != OPEN:
-                n, way = at(touch.normal, k), at(touch.way, k)
+                n, direction = at(touch.normal, k), at(touch.direction, k)
                 still = add_scaled(
                     add_scaled(at(touch.spring, k), touch.gap[k], n), -1.0, at(shut, k)
                 )
-                pull = force_decrease(n, way, used[k], turn[k], kn, ks, mu, still)
+                pull = force_decrease(n, direction, used[k], turn[k], kn, ks, mu, still)
                 for m in range(touch.columns[k]):
                     right[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
         back(matrix, first, right, ahead)
         solved += 1
         for k in range(count):
-            n, way, moves = (
+            n, direction, moves = (
                 at(touch.normal, k),
-                at(touch.way, k),
+                at(touch.direction, k),
                 relative_motion(k, touch, ahead, shut),
             )
             opened, taken = dot(moves, n), NOWHERE
             if used[k] == SLIDE:
-                taken = add_scaled(NOWHERE, -mu * kn * (touch.gap[k] + opened), way)
+                taken = add_scaled(NOWHERE, -mu * kn * (touch.gap[k] + opened), direction)
                 stretch = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
-                taken = add_scaled(taken, turn[k], add_scaled(stretch, -dot(way, stretch), way))
+                taken = add_scaled(
+                    taken, turn[k], add_scaled(stretch, -dot(direction, stretch), direction)
+                )
             put(relative, k, moves)
             put(rub, k, taken)
         now, share, ended = residual_energy(ahead, touch, turn, *rest), 1.0, True
@@ -175,7 +188,9 @@ def newton(
             ended = ended and touch.state[k] == used[k]
             if touch.state[k] == SLIDE:
                 force = mu * touch.push[k]
-                off = add_scaled(add_scaled(NOWHERE, force, at(touch.way, k)), -1.0, at(rub, k))
+                off = add_scaled(
+                    add_scaled(NOWHERE, force, at(touch.direction, k)), -1.0, at(rub, k)
+                )
                 ended = ended and np.sqrt(dot(off, off)) <= tolerance * force
         while not (ended or now < (1.0 - LEAST * share) * left or share < LEAST):
             share *= 0.5

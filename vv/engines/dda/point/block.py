@@ -19,14 +19,15 @@ class Steps(NamedTuple):
 class Rule(NamedTuple):
     """The choices of the formulation that the kernel needs.
 
-    tolerance, iterations, dd, felt: see `Formulation`; hold: 1 where its `charged` is true, else 0.
+    tolerance, iterations, dd, shaking_at: see `Formulation`; hold: 1 where its `charged` is true,
+    else 0.
     """
 
     tolerance: float
     iterations: int
     hold: float
     dd: float
-    felt: float
+    shaking_at: float
 
 
 class Friction(NamedTuple):
@@ -48,8 +49,8 @@ class Block(NamedTuple):
 
     points: how many contact points share the load, each with a spring kn [N/m]; gravity, load,
     shaking: components in the free directions, which contain the normal and the motion of the wall;
-    borne: m gravity + load [N]; gap [m] at t = 0. drives is None if nothing is driven, for which a
-    kernel is compiled: drives at rest would cost 8 % of a step.
+    constant_load: m gravity + load [N]; gap [m] at t = 0. drives is None if nothing is driven, for
+    which a kernel is compiled: drives at rest would cost 8 % of a step.
     """
 
     mass: float
@@ -57,7 +58,7 @@ class Block(NamedTuple):
     kn: float
     gravity: Triple
     load: Triple
-    borne: Triple
+    constant_load: Triple
     normal: Triple
     gap: float
     drives: Drives | None
@@ -76,9 +77,9 @@ class Motion(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """The state, the normal force [N], the way that friction opposes, and the stretch [m]."""
+    """The state, the normal force [N], the direction that friction opposes, and the stretch [m]."""
 
     state: int
     push: float
-    way: Triple
+    direction: Triple
     spring: Triple

@@ -57,7 +57,7 @@ def equations_of(block: Block, motion: Motion, part: float, wall: Triple, shake:
     moved = add_scaled(wall, -1.0, shift)
     space = block.gap + dot(normal, add_scaled(motion.x, -1.0, shift))
     c = 2.0 * block.mass / (part * part)
-    outer = add_scaled(block.borne, block.mass, shake)
+    outer = add_scaled(block.constant_load, block.mass, shake)
     f = add_scaled(outer, c * part, motion.v)
     f_n, moved_n = dot(f, normal), dot(moved, normal)
     f_t, moved_t = add_scaled(f, -f_n, normal), add_scaled(moved, -moved_n, normal)
@@ -66,19 +66,24 @@ def equations_of(block: Block, motion: Motion, part: float, wall: Triple, shake:
 
 @inlined
 def iterate(
-    part: Posed, begun: Contact, rule: Rule, block: Block, friction: Friction | None, worst: Vector
+    part: Posed,
+    initial: Contact,
+    rule: Rule,
+    block: Block,
+    friction: Friction | None,
+    worst: Vector,
 ) -> Solved:
     """Solve with an assumed state of contact until the solution calls for that state."""
-    spring, wrong, ended = begun.spring, 0.0, False
-    now, force, along = begun.state, begun.push, begun.way
+    spring, wrong, ended = initial.spring, 0.0, False
+    now, force, along = initial.state, initial.push, initial.direction
     for count in range(1, rule.iterations + 1):  # noqa: B007 - count is used below
         used = now
         d_n, d_t, rub = displacements_for(part, used, force, along, spring, block, friction)
         after = part.space + d_n - part.moved_n
         slip = add_scaled(d_t, -1.0, part.moved_t)
-        begun = Contact(used, 0.0, along, spring)
+        assumed = Contact(used, 0.0, along, spring)
         ease = part.inertia / block.points
-        now, force, along = required_state(begun, after, slip, block.kn, friction, rule, ease)
+        now, force, along = required_state(assumed, after, slip, block.kn, friction, rule, ease)
         ended = now == used
         if friction is not None and used == SLIDE and now == SLIDE:
             off = add_scaled(add_scaled(NOWHERE, friction.mu * force, along), -1.0, rub)
@@ -130,8 +135,15 @@ def required_state(
     ease: float,
 ) -> tuple[int, float, Triple]:
     """The state, normal force and friction direction that a solution calls for; see `respond`."""
-    state, spring, way, converges = used.state, used.spring, used.way, rule.tolerance < np.inf
+    state, spring, direction, converges = (
+        used.state,
+        used.spring,
+        used.direction,
+        rule.tolerance < np.inf,
+    )
     if friction is None:
-        return respond(state, after, slip, spring, way, kn, None, None, rule.hold, ease, converges)
+        return respond(
+            state, after, slip, spring, direction, kn, None, None, rule.hold, ease, converges
+        )
     ks, mu = friction.ks, friction.mu
-    return respond(state, after, slip, spring, way, kn, ks, mu, rule.hold, ease, converges)
+    return respond(state, after, slip, spring, direction, kn, ks, mu, rule.hold, ease, converges)

@@ -89,7 +89,7 @@ def at_rest(block: Block, friction: Friction | None, hold: float) -> tuple[Tripl
     hold: the fraction of friction with which the tangential spring is charged.
     """
     normal, points, spring = block.normal, block.points, NOWHERE
-    pull = block.borne
+    pull = block.constant_load
     push = max(0.0, -dot(pull, normal)) / points
     if not push > 0.0:
         return NOWHERE, Contact(OPEN, push, NOWHERE, NOWHERE)
@@ -118,7 +118,7 @@ def step_block(
     """The motion and contact after a step, which is divided where iterations do not converge."""
     begin, part = 0.0, dt
     while begin < dt:
-        wall, shake = wall_and_shaking(block.drives, done, done * dt + begin, part, rule.felt)
+        wall, shake = wall_and_shaking(block.drives, done, done * dt + begin, part, rule.shaking_at)
         given = equations_of(block, motion, part, wall, shake)
         found = iterate(given, contact, rule, block, friction, worst)
         if not found.ended and part > dt / CUTS:
@@ -145,16 +145,19 @@ def step_block(
 
 @inlined
 def wall_and_shaking(
-    drives: Drives | None, done: int, time: float, part: float, felt: float
+    drives: Drives | None, done: int, time: float, part: float, shaking_at: float
 ) -> tuple[Triple, Triple]:
     """The displacement of the wall [m] at the end of a part of a step [s], and the shaking [m/s2].
 
-    time: at the beginning of the part [s]; felt: the fraction of it at which shaking is evaluated.
-    Both are zero in steps before t = 0.
+    time: at the beginning of the part [s]; shaking_at: the fraction of it at which shaking is
+    evaluated. Both are zero in steps before t = 0.
     """
     wall, shake = NOWHERE, NOWHERE
     if drives is not None and done >= 0:
-        wall, shake = travel(drives.base, time + part), value(drives.shaking, time + felt * part)
+        wall, shake = (
+            travel(drives.base, time + part),
+            value(drives.shaking, time + shaking_at * part),
+        )
     return wall, shake
 
 
@@ -188,7 +191,7 @@ def add_contact_energies(
         pull = add_scaled(pull, points, rubs)
         beyond = np.sqrt(dot(rubs, rubs)) - friction.mu * max(held, 0.0)
         worst[EXCESS] = max(worst[EXCESS], beyond)
-    return Contact(now.state, now.push, now.way, spring), pull, held
+    return Contact(now.state, now.push, now.direction, spring), pull, held
 
 
 @inlined

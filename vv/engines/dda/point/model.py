@@ -56,24 +56,24 @@ class Sliding:
         from vv.engines.kernels.drive import NO_MOTION, drive
 
         block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
-        way, scene = self.formulation, self.scene
+        choices, scene = self.formulation, self.scene
         *steps, tolerance, iterations = step
         shaking, drives = drive(scene.shaking or NO_MOTION), None
         if wall.motion is not None or scene.shaking is not None:
-            felt = shaking._replace(direction=shaking.direction @ hold)
-            drives = Drives(drive(wall.motion or NO_MOTION), felt)
+            along_free = shaking._replace(direction=shaking.direction @ hold)
+            drives = Drives(drive(wall.motion or NO_MOTION), along_free)
         gravity, load = hold @ scene.gravity, hold @ block.load
         told = Block(
             block.mass, self.points, law.kn, _triple(gravity), _triple(load),
             _triple(load + block.mass * gravity), _triple(wall.normal), self.lone.gap, drives,
         )  # fmt: skip
-        rule = Rule(tolerance, iterations, float(way.charged), way.dd, way.felt)
+        rule = Rule(tolerance, iterations, float(choices.charged), choices.dd, choices.shaking_at)
         rough = None if law.ks is None or law.mu is None else Friction(law.ks, law.mu)
         return (
             Steps(*steps),
             rule,
             _triple(hold @ block.velocity),
-            way.pressed and self._rests(law),
+            choices.pressed and self._rests(law),
             told,
             rough,
         )
