@@ -18,7 +18,7 @@ def rows(history: Path) -> Vector:
     It also does for a word that is not a number.
     """
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # about a file without rows
+        warnings.simplefilter("ignore", UserWarning)  # on a file without rows
         return np.loadtxt(history, ndmin=2)
 
 

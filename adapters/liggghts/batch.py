@@ -27,7 +27,7 @@ MPI = {
     "OMPI_MCA_pml": "ob1",
 }
 LEAST_REPEATS = 4  # with the first, which is not counted
-GONE = ": Bond atoms"  # ... missing on proc 0
+GONE = ": Bond atoms"  # the beginning of LIGGGHTS' message
 FEW = 20  # solves for which the system is asked for CPU time, which takes a millisecond
 MOST_REPEATS = 300  # each adds a set-up of about a millisecond to its solve
 
@@ -49,7 +49,7 @@ class Batch:
 
 def solved(batch: Batch) -> Iterator[Run]:
     """The answers to all asks, with the cost of the one solve that gave them."""
-    first: dict[external.Process, int] = {}  # the ask that carries a program's start-up
+    first: dict[external.Process, int] = {}  # the ask whose cost includes the program's start-up
     setups, scratch = batch.setups, batch.scratch
 
     def launch(indices: Sequence[int]) -> external.Process:

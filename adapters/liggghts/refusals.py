@@ -15,7 +15,7 @@ from vv.scene import Scene, why_locks_need_more_than_loads
 from vv.standins.stand_in import spring_scene, why_no_spring_scene, without_rotations
 from vv.standins.why_no_clump import why_no_clump
 
-GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
+GROUPS = 32 - 3  # LIGGGHTS has 32; decks use all, shifted and turned otherwise
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:
@@ -84,7 +84,7 @@ def _spin(scene: Scene, scheme: str) -> str | None:
 
 def _too_many_groups(setup: Setup) -> str | None:
     bodies = len(setup.clumps) if len(setup.clumps) > 1 else 0
-    loads = len(setup.loads) if len(setup.loads) <= FEW else 0  # many take no groups
+    loads = len(setup.loads) if len(setup.loads) <= FEW else 0  # many loads take no groups
     groups = loads + len(setup.locks) + len(setup.shaken) + bodies
     if groups > GROUPS:
         return (

@@ -9,7 +9,7 @@ import numpy as np
 from vv.scene import Vector
 
 AXES = "xyz"
-FEW = 100  # up to so many ids are listed one by one
+FEW = 100  # the most ids that are listed one by one
 
 
 def numbers(values: Iterable[float]) -> str:

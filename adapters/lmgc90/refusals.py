@@ -58,7 +58,7 @@ def _faces(scene: Scene) -> str | None:
         if near(one, other) and not _share_a_plane(one, other):
             return f"blocks '{one.name}' and '{other.name}' do not meet face to face at the start"
     if not scene.walls and len(scene.blocks) == 1:
-        return "a block alone meets nothing"
+        return "a single block without a wall has no contact"
     return None
 
 
@@ -67,7 +67,7 @@ def _on_wall(block: Block, wall: Wall) -> str | None:
     gap = (block.vertices - wall.point) @ wall.normal
     size = _size(block)
     feet = block.vertices[np.abs(gap) < TOUCHING * size]
-    if not len(feet) and gap.min() > 0.5 * size:  # others lie between
+    if not len(feet) and gap.min() > 0.5 * size:  # other blocks lie between
         return None
     across = feet - feet.mean(axis=0) if len(feet) else feet
     if len(feet) < 3 or np.linalg.matrix_rank(across, 1e-6 * size) < 2:

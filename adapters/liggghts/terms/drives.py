@@ -12,7 +12,7 @@ from adapters.liggghts.setup import Setup
 from adapters.liggghts.words import AXES, group
 from vv.scene import Harmonic, Pulse
 
-ON_TIME = 1e-6  # in steps: by so much a time may be late and still belong to its step
+ON_TIME = 1e-6  # relative to a step: a time that is later by less belongs to the step
 
 
 def shaken(deck: Deck, setup: Setup) -> Deck:

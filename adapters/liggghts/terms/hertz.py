@@ -15,7 +15,7 @@ DAMPED = (
     "damping from the velocity half a step ago, a force that never pulls, and friction limited by "
     "all of the normal force"
 )
-LEAST = 0.05  # LIGGGHTS takes no coefficient of restitution up to this
+LEAST = 0.05  # LIGGGHTS requires a larger coefficient of restitution
 HELD = (
     "its shear force is the total slip times the present stiffness, where a sum of increments is "
     "needed"

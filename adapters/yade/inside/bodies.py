@@ -31,7 +31,7 @@ def clump(body: dict[str, Any]) -> int:
 
 def polyhedron(body: dict[str, Any]) -> int:
     """Append a convex polyhedron with its corners about its centroid."""
-    from yade import polyhedra_utils  # slow, and rarely needed
+    from yade import polyhedra_utils  # a slow import that is rarely needed
 
     made = polyhedra_utils.polyhedra(O.materials[0], v=body["vertices"])
     made.state.pos = made.state.refPos = body["position"]

@@ -110,7 +110,7 @@ def solve(ask: dict[str, Any], repeat: float = 0.0) -> tuple[np.ndarray, dict[st
         solves.append(bare(ask))
     least, most = min(solves), max(solves)
     cost = {"setup": min(setups), "solve_cpu": least[0], "solve_wall": least[1]}
-    spread = most[0] / least[0] - 1 if least[0] > 0 else 0.0  # shorter than a coarse clock's tick
+    spread = most[0] / least[0] - 1 if least[0] > 0 else 0.0  # 0 if less than a clock tick
     more = {"repeats": len(solves), "spread": spread}
     return values, {"status": "ran", "reason": "", **made, **cost, **more}
 

@@ -8,11 +8,11 @@ from typing import Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # read when YADE is imported
 FOLDER = os.environ.get("VV_YADE") or next(iter(glob.glob("/usr/lib/*/yade-double/py")), "")
-WITHIN_YADE = "yade" in sys.modules  # started by `yade script.py`
+WITHIN_YADE = "yade" in sys.modules  # true if started by `yade script.py`
 UNASKED = FOLDER and not WITHIN_YADE  # there is no interactive user
 if UNASKED:
     sys.path.insert(0, FOLDER)
-    # YADE imports IPython for its prompt and here only looks at its version: a third of the start
+    # YADE needs only IPython's version here; importing it would take a third of the start-up
     sys.modules["IPython"] = prompt = types.ModuleType("IPython")
     vars(prompt)["__version__"] = "0.0"
 import yade  # noqa: E402
@@ -20,7 +20,7 @@ from yade import utils  # noqa: E402
 from yade import wrapper as yd  # noqa: E402
 
 if UNASKED:
-    del sys.modules["IPython"]  # whoever wants it later gets the true one
+    del sys.modules["IPython"]  # later imports get the real module
 
 __all__ = ["FOLDER", "WITHIN_YADE", "O", "RunError", "timed", "utils", "yade", "yd"]
 O = yade.O  # noqa: E741  # the name every YADE script uses

@@ -13,7 +13,7 @@ from adapters.yade.setup import Setup
 from vv.scene import Harmonic, Pulse
 from vv.standins.penalty_springs import acceleration_of
 
-ON_TIME = 1e-6  # in steps: by so much a time may be late and still belong to its step
+ON_TIME = 1e-6  # relative to a step: a time that is later by less belongs to the step
 
 
 def shaken(given: Given, setup: Setup) -> Given:

@@ -72,7 +72,7 @@ def test_a_block_on_an_edge_does_not_stand_and_one_alone_meets_nothing() -> None
     edge = cube("b", 0.5, [0.0, 0.0, 2.0 + a], turn)
     assert "does not stand" in (refusals._on_wall(edge, FLOOR) or "")
     alone = cube("b", 0.5, [0.0, 0.0, 0.0])
-    assert refusals._faces(scene(alone)) == "a block alone meets nothing"
+    assert refusals._faces(scene(alone)) == "a single block without a wall has no contact"
     assert refusals._faces(scene(alone, cube("c", 0.5, [5.0, 0.0, 0.0]))) is None
 
 

@@ -16,7 +16,7 @@ from vv.engines.dem.space.model import SpaceState, space
 from vv.engines.dem.space.springs import Springs
 from vv.scene import Mask, Scene, Vector
 
-DENSE = 300  # up to so many unknowns a full matrix is used
+DENSE = 300  # the most unknowns for which a full matrix is used
 CLOSE = 1e-4  # relative tolerance of the eigenvalue of a sparse matrix, found from below
 
 

@@ -31,7 +31,7 @@ def idle(scene: Scene) -> frozenset[Term]:
     return terms & found
 
 
-@functools.lru_cache(maxsize=32)  # asked for every rung of a scene
+@functools.lru_cache(maxsize=32)  # asked for every setting of a scene
 def why_left_out(scene: Scene, whole: bool) -> str | None:
     """Why the scene is refused if its model would omit some of its terms; None if it has all.
 

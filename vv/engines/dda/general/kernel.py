@@ -148,7 +148,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     d, pull, turn = zero_numbers(q), zero_numbers(q), zero_numbers(q)
     u, predictor, rate = zero_numbers(q), zero_numbers(q), zero_numbers(q)
     now = FIRST if multipliers == 0 else HALF
-    shaken_at = shaking_at if rule[1] == 0.0 else 1.0  # the first step: rate at its end
+    # for generalised alpha, the first step must end with the acceleration at its end
+    shaken_at = shaking_at if rule[1] == 0.0 else 1.0
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
     ledger, worst, done = zero_numbers(TERMS), zero_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0

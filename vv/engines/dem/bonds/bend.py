@@ -22,7 +22,7 @@ from vv.engines.kernels.prefetch import begin_to_read
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
-LINE = 8  # numbers in a cache line: WIDE lines hold most of a block
+LINE = 8  # numbers in a cache line; WIDE lines hold nearly all numbers of a block
 Like = tuple[float, float, float, float]
 MOVED, STEP, SPIN_I, SPIN_J = 0, 3, 6, 9  # places in scratch: motion of ends
 FORCE, TORQUE, ARMS, NORMAL, SHEARED, HIT, SCRATCH = 12, 15, 18, 20, 21, 22, 23

@@ -14,7 +14,7 @@ from vv.scene import Mask, Scene, Term, Vector
 if TYPE_CHECKING:
     from vv.engines.dem.bonds.law import Frail, Springs
 
-MANY = 64  # from so many spheres on, pairs are found by a neighbour search
+MANY = 64  # the fewest spheres whose pairs are found by a neighbour search
 SKIN = 0.2  # relative to the smallest radius: pairs with a smaller gap are near each other
 
 

@@ -9,7 +9,7 @@ from vv.engines.kernels.arrays import square_of
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, cross, dot
 
-SMALL = 0.01  # below this x, coth(x/2)/2 - 1/x loses digits: its series is used
+SMALL = 0.01  # below this x, coth(x/2)/2 - 1/x loses digits, and its series is used
 
 
 @inlined

@@ -15,7 +15,7 @@ from vv.engines.kernels.triples import Triple, at, dot
 from vv.scene import Hertz, Scene, Vector
 
 DEEP = 1.2  # factor on the overlap that stores all energy of t = 0: loads add energy
-TOUCHES = 1e-6  # of the approach in a step: overlaps below it are rounding
+TOUCHES = 1e-6  # relative to the approach in a step: smaller overlaps are rounding
 
 
 class Elastic(NamedTuple):
@@ -103,7 +103,7 @@ def shear_stiffness(
     The mean is over the part of the step in which the contact was closed, with U linear in time.
     The stiffness at the end of the step would make the force first order in dt.
     """
-    (shear, mu), overlap = law.friction, touch.overlap  # type: ignore[misc]  # asked where it rubs
+    (shear, mu), overlap = law.friction, touch.overlap  # type: ignore[misc]  # called with friction only
     before = max(overlap + touch.opened, 0.0)
     now, then = math.sqrt(overlap), math.sqrt(before)
     mean = 2.0 / 3.0 * (overlap + now * then + before) / (now + then)

@@ -65,7 +65,7 @@ def friction_force(
     E/(4 G) (U - s^2). Between springs the stretch is taken as linear in s^2, which is exact where
     all springs slip. Where the slip changes direction, limiting the stretch is of first order.
     """
-    shear, mu = law.friction  # type: ignore[misc]  # it always rubs
+    shear, mu = law.friction  # type: ignore[misc]  # it always has friction
     overlap, before = touch.overlap, max(touch.overlap + touch.opened, 0.0)
     apart = spring_spacing(law, touch, radius, mass, kept, row)
     most, edge = 0.25 * mu * law.modulus / shear, math.sqrt(overlap)
