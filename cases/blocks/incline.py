@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import RUNGS, levels
+from cases.blocks import _incline_bounds
+from cases.blocks._incline_bounds import DENSITY, SIDE
 from reference_solutions.blocks import incline
-from vv.ask import Displacement, History, Knobs, Method
+from vv.ask import Displacement, History, Knobs
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     ComponentAlong,
-    Exact,
     Ladder,
     Level,
     Motion,
@@ -24,13 +23,11 @@ from vv.case import (
     Quantity,
     Series,
     Source,
-    Tolerance,
     Trial,
     Variant,
 )
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
-SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
 FREE, FLAT = "two-directions-turning", 0.2  # a plate [m high] that can turn
 FIRST = "gravity-10"  # the variant whose block is listed before its wall
 BLOCK = Displacement(1)
@@ -80,11 +77,6 @@ def _observed(scene: Scene) -> tuple[Displacement]:
     return (Displacement(scene.body_numbers(Block)[0]),)
 
 
-def _fall(p: Parameters) -> float:
-    """The height of a free fall [m], which scales errors where friction holds the block."""
-    return 0.5 * p["g"] * p["duration"] ** 2
-
-
 def _along_dip(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     """The motion along the dip."""
     (seen,) = _observed(scene)
@@ -97,8 +89,8 @@ def _along_dip(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ..
             meaning="displacement down the dip",
             observe=ComponentAlong(seen, scene.axes[0]),
             reference=functools.partial(incline.newmark, **{name: p[name] for name in names}),
-            judge=Exact(_tolerances(p)),
-            still=_fall(p),
+            judge=_incline_bounds.along_dip(p),
+            still=_incline_bounds.free_fall(p),
         ),
     )
 
@@ -115,163 +107,15 @@ def _dip_and_strike(p: Parameters, scene: Scene, goal: History) -> tuple[Quantit
     def path(t: Vector) -> Vector:
         return incline.two_directions(t, **drive, **law)
 
-    motion = Motion(BLOCK, scene.axes[:2], path, goal.times(None), "m", _fall(p))
+    motion = Motion(
+        BLOCK, scene.axes[:2], path, goal.times(None), "m", _incline_bounds.free_fall(p)
+    )
     swept = scene.unknowns() > len(scene.axes)
-    springs = _on_springs(_stopping(p, CORNERS if swept else ONE_WAY))
-    rigid = {Method.SECOND_ORDER: _rotating(p, swept), Method.FIRST_ORDER: _half_steps(p)}
-    judge = Exact({**springs, **rigid})
+    judge = _incline_bounds.in_two_directions(p, swept)
     return (
         motion.component(0, "d", "displacement down the dip", judge),
         motion.component(1, "s", "displacement along the strike", judge),
         motion.distance(judge),
-    )
-
-
-def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
-    """The tolerances: parabolas are exact, sines have the order of the step, and springs lag."""
-    if not p["A"] and (p["alpha"] > p["phi"] or not p["v0"]):
-        return {**STEADY, Method.FIRST_ORDER: _half_steps(p)}
-    sine = Tolerance(
-        _sine_error(p["f"] if p["A"] else 0.0),
-        "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
-        "(w dt)^2/12; twice that is allowed. Events are located within the step",
-        dt=STEP,
-        order=2,
-        floor=1e-9,
-    )
-    steep = p["alpha"] + p["phi"]
-    uphill = steep < 90 and p["A"] > p["g"] * np.tan(np.radians(steep))
-    springs = _turning(p) if uphill else _stopping(p, ONE_WAY)
-    rigid = {Method.SECOND_ORDER: sine, Method.FIRST_ORDER: _half_steps(p)}
-    return {**_on_springs(springs), **rigid}
-
-
-def _half_steps(p: Parameters) -> Tolerance:
-    """For rigid contact with the forces, or the contact law, of one end of a step."""
-    speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
-    return Tolerance(
-        STEADY[Method.SECOND_ORDER].value,
-        "the motion starts half a step late, an error of dt/T of the displacement. Friction acts "
-        "with its value at the end of a step: where slip stops or reverses it is up to half a step "
-        "late, at the speed that shaking gives",
-        late=1.2 * (1 / p["duration"] + float(speed) / _largest_slip(p)),
-        slack="a scheme that starts in the middle of a step follows a parabola to rounding",
-    )
-
-
-def _sine_error(f: float) -> float:
-    """(w dt)^2/6 at the step STEP for a frequency [Hz], within the range of a tolerance."""
-    return float(np.clip((2 * np.pi * f * STEP) ** 2 / 6, 1e-9, LARGEST_TOLERANCE))
-
-
-def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
-    """The tolerances of a block on springs; lagging friction doubles the error."""
-    lagging = dataclasses.replace(
-        late,
-        value=min(2 * late.value, LARGEST_TOLERANCE),
-        late=2 * late.late,
-        reason=f"lagging friction doubles the error of springs: {late.reason}",
-    )
-    return {
-        Method.EXACT: STEADY[Method.EXACT],
-        Method.PENALTY: late,
-        Method.LAGGING: lagging,
-    }
-
-
-def _largest_slip(p: Parameters) -> float:
-    """The largest displacement [m] of the block under the shaking along the dip alone."""
-    way = {name: p[name] for name in ("alpha", "phi", "A", "f", "g", "v0")}
-    slid = float(np.abs(incline.newmark(np.linspace(0.0, p["duration"], 101), **way)).max())
-    return slid or _fall(p)
-
-
-def _friction(p: Parameters) -> float:
-    """The friction that the weight alone allows, over the mass [m/s2]."""
-    normal = p["g"] * np.cos(np.radians(p["alpha"]))
-    return float(normal * np.tan(np.radians(p["phi"])))
-
-
-def _stopping(p: Parameters, times: float) -> Tolerance:
-    """For a block that stops and slips again; times: stretches of its shear spring per cycle."""
-    cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
-    stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sinking(p)) * MASS / SPRING
-    speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
-    return Tolerance(
-        float(np.clip(cycles * stretch / _largest_slip(p), 1e-9, LARGEST_TOLERANCE)),
-        f"each cycle of slip and rest costs up to {times:g} stretches mu N/ks of the shear spring, "
-        "or the slip that sinking adds where slip begins and ends. Shaking acts half a step late, "
-        "and so do gravity and friction if the block slides from the start; slip stops at the end "
-        "of a step",
-        kn=SPRING,
-        softness=1,
-        late=1.2 * (float(speed) + _start_error(p)) / _largest_slip(p),
-    )
-
-
-def _sinking(p: Parameters) -> float:
-    """The displacement that sinking adds in a cycle, over m/kn [m/s2].
-
-    The block sinks by m A sin(alpha) sin(wt)/kn. As it sinks, friction changes the speed of slip by
-    tan(phi) times the speed of sinking, w m A sin(alpha) tan(phi)/kn at most; the oscillation that
-    the start leaves adds as much again. This happens where slip begins and where it ends, and lasts
-    for a cycle 2 pi/w.
-    """
-    alpha, phi = np.radians([p["alpha"], p["phi"]])
-    return float(4.0 * 2.0 * np.pi * p["A"] * np.sin(alpha) * np.tan(phi))
-
-
-def _start_error(p: Parameters) -> float:
-    """The error of a start half a step late, over the step [m/s], of a block that slides at once.
-
-    It is half the change of speed that weight and friction cause until the end, or until the block
-    stops.
-    """
-    pull = p["g"] * float(np.sin(np.radians(p["alpha"]))) - _friction(p)
-    if pull > 0:
-        return 0.5 * pull * p["duration"]
-    return 0.5 * min(abs(p["v0"]), -pull * p["duration"])
-
-
-def _turning(p: Parameters) -> Tolerance:
-    """For a block that slips downhill and uphill in turn."""
-    delayed = _friction(p) * p["duration"] * np.sqrt(MASS / SPRING) / _largest_slip(p)
-    return Tolerance(
-        float(np.clip(REVERSED * delayed, 1e-9, LARGEST_TOLERANCE)),
-        "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m; over the duration T "
-        f"the delays add up to {REVERSED:g} mu N T/(m w)",
-        kn=SPRING,
-        softness=0.5,
-    )
-
-
-STEP = 1e-3  # s
-SPRING, MASS = 1e8, DENSITY * SIDE**2  # N/m, kg
-ONE_WAY, CORNERS, REVERSED = 3.0, 7.0, 0.08  # CORNERS is for a plate with a spring at each corner
-ROUNDED = (
-    "forces are constant and springs start charged, so that no slip begins or ends: the answer is "
-    "a parabola, and only rounding errors of up to 100 000 steps remain"
-)
-STEADY = {
-    Method.EXACT: Tolerance(
-        1e-13, "only rounding errors of at most a few hundred located events remain"
-    ),
-    **dict.fromkeys(
-        (Method.SECOND_ORDER, Method.PENALTY, Method.LAGGING), Tolerance(1e-11, ROUNDED)
-    ),
-}
-
-
-def _rotating(p: Parameters, swept: bool) -> Tolerance:
-    """For second order; swept: sweeps over the four corners of a plate solve its contacts."""
-    left = "; iterations over four contacts leave a residual in each of 240 000 steps"
-    return Tolerance(
-        _sine_error(max(p["f"], p["fy"])),
-        "where the direction of slip rotates, friction acts along its mean direction over a step, "
-        f"an error of (w dt)^2/12; twice that is allowed{left if swept else ''}",
-        dt=STEP,
-        order=2,
-        floor=3e-7 if swept else 1e-8,
     )
 
 
