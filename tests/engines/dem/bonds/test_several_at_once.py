@@ -6,7 +6,7 @@ from typing import Any
 import numba
 import numpy as np
 
-from vv.engines.dem.bonds.bend import SCRATCH, compute_block
+from vv.engines.dem.bonds.block_forces import SCRATCH, compute_block
 from vv.engines.dem.bonds.blocks import ALL, WIDE
 from vv.engines.dem.bonds.law import Frail
 from vv.engines.dem.space.neighbours import State

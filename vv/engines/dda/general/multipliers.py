@@ -163,7 +163,7 @@ def add_multiplier_energies(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
     relative: Vector, moved: Vector, ks: float, mu: float,
 ) -> None:  # fmt: skip
-    """As `close_step`, for contacts that store no energy: all work but that of friction is lost.
+    """As `add_contact_energies`, for contacts that store none: all work but friction's is lost.
 
     touch: as `iterate_multipliers` left it.
     """

@@ -53,9 +53,9 @@ def rotational_loads(
 ) -> None:  # fmt: skip
     """Fill turn (q,) with these loads [N m] over a step [s], in which only elasticity acts besides.
 
-    mass, elastic: (q, 12), see `masses`; terms: see `fill_deformation`; rounds: of the iteration
-    for the loads and the motion at the end of the step, which depend on each other; 0 for no loads.
-    It is one function since all of its parts share the arrays that it allocates.
+    mass, elastic: (q, 12), see `fill_masses`; terms: see `fill_deformation`; rounds: of the
+    iteration for the loads and the motion at the end of the step, which depend on each other; 0 for
+    no loads. It is one function since all of its parts share the arrays that it allocates.
     """
     q = len(turn)
     begin, whole, second, flow, end = rows(3), rows(3), rows(3), rows(3), rows(3)

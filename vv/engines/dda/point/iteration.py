@@ -8,7 +8,7 @@ import numpy as np
 
 from vv.engines.dda.law import OPEN, SLIDE, STICK, respond
 from vv.engines.dda.point.block import Block, Contact, Friction, Motion, Rule
-from vv.engines.dda.point.books import MOST, SOLVED
+from vv.engines.dda.point.energies import MOST, SOLVED
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, dot
 from vv.scene import Vector

@@ -7,7 +7,7 @@ import numpy as np
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import CUTS, GAIN
 from vv.engines.dda.point.block import Block, Contact, Drives, Friction, Motion, Rule, Steps
-from vv.engines.dda.point.books import (
+from vv.engines.dda.point.energies import (
     CARRIED,
     CUT,
     DEEPEST,

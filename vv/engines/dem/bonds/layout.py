@@ -19,7 +19,7 @@ SKIN = 0.2  # relative to the smallest radius: pairs with a smaller gap are near
 
 
 class Bonded(NamedTuple):
-    """The arguments of `vv.engines.dem.bonds.pull.pull` of these names; None without bonds."""
+    """The arguments of these names of `all_forces.add_bond_forces`; None without bonds."""
 
     springs: Springs | None = None
     ks: Vector | None = None
@@ -48,7 +48,7 @@ def search_data(scene: Scene, moves: Mask, row: Index, state: State) -> Near | N
     """The data of the neighbour search, or None if it is not needed.
 
     It is not needed where no spheres can touch, or where there are few spheres and no bonds, so
-    that all pairs are listed once. state: of the bonds (`vv.engines.dem.bonds.sweep`).
+    that all pairs are listed once. state: of the bonds (`vv.engines.dem.bonds.chunk_forces`).
     """
     spheres = scene.spheres
     if Term.SPHERE_CONTACT not in scene.terms():

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from vv.engines.dem.bonds.bend import Like
+from vv.engines.dem.bonds.block_forces import Like
 from vv.engines.dem.bonds.blocks import Ends
+from vv.engines.dem.bonds.chunk_forces import compute_chunk
 from vv.engines.dem.bonds.law import Frail
-from vv.engines.dem.bonds.sweep import compute_chunk
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import State
 from vv.engines.kernels.compiled import shared

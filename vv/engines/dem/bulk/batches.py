@@ -17,7 +17,7 @@ from vv.engines.kernels.compiled import called, lent
 from vv.scene import Vector
 
 CHUNKS, LEAST = 8, 1000  # most chunks; fewest spheres in a chunk
-PLACES = 33  # how many numbers a contact has in scratch (`press.py`)
+PLACES = 33  # how many numbers a contact has in scratch (`gather.py`)
 NORMAL, SPRUNG, LOST, KINETIC, BEHIND, AHEAD, FAR, SUMS = 0, 1, 2, 3, 4, 5, 6, 8
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from vv.engines.dem.bonds.blocks import WIDE
 from vv.engines.dem.bulk.advance import kick
-from vv.engines.dem.bulk.contacts.edges import add_wall_forces
-from vv.engines.dem.bulk.contacts.press import add_pair_forces
+from vv.engines.dem.bulk.contacts.pairs import add_pair_forces
+from vv.engines.dem.bulk.contacts.walls import add_wall_forces
 from vv.engines.dem.bulk.crowd import Crowd
 from vv.engines.dem.bulk.grains import ACTS
 from vv.engines.kernels.compiled import inlined, lent

@@ -76,20 +76,20 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
     pairs = near_pairs(bulk, sorted_cells, skin, no_contacts(n), rubs)
     edges = near_walls(bulk, walls, sorted_cells, skin, no_contacts(n), rubs)
     crowd = Crowd(bulk, pairs, edges, batches(pairs), rules)
-    met, new = contact_arrays(0), np.zeros((n + 1, 3))
+    contacts, new = contact_arrays(0), np.zeros((n + 1, 3))
     set_weights(bulk, gravity)
     add_all_forces(crowd, True, threads)
     normal, sprung = total(crowd.work.sums, NORMAL), total(crowd.work.sums, SPRUNG)
     slowed = 0.0, 0.0
     if dashpot is not None:
-        met = contact_arrays(len(pairs.other) + len(edges.other))
-        used = list_closed(bulk, pairs, edges, walls, met, dashpot, dt)
+        contacts = contact_arrays(len(pairs.other) + len(edges.other))
+        used = list_closed(bulk, pairs, edges, walls, contacts, dashpot, dt)
         place(bulk, given.velocity, 0.0, drag)
-        add_viscous(bulk, met, used, new, 0.0, drag, lag)
+        add_viscous(bulk, contacts, used, new, 0.0, drag, lag)
     put_in = normal + sprung + place(bulk, given.velocity, back * dt, drag)
     if dashpot is not None:
-        withdraw(bulk, met, used)
-        slowed = add_viscous(bulk, met, used, new, dt, drag, lag)
+        withdraw(bulk, contacts, used)
+        slowed = add_viscous(bulk, contacts, used, new, dt, drag, lag)
     put_in += place_spins(bulk, spin, back * dt)
     kick(crowd, 0, 0, n, 0.0)
     ahead = slowed[1] + total(crowd.work.sums, AHEAD)
@@ -109,15 +109,15 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
                 crowd = Crowd(bulk, pairs, edges, batches(pairs), rules)
                 set_weights(bulk, gravity)
                 if dashpot is not None:
-                    met = contact_arrays(len(pairs.other) + len(edges.other))
+                    contacts = contact_arrays(len(pairs.other) + len(edges.other))
             with_energy = step + 1 == stride
             span = 0.0 if with_energy else dt
             if dashpot is None:
                 step_all(crowd, with_energy, span, threads)
             else:
                 add_all_forces(crowd, with_energy, threads)
-                used = list_closed(bulk, pairs, edges, walls, met, dashpot, dt)
-                slowed = add_viscous(bulk, met, used, new, dt, drag, lag)
+                used = list_closed(bulk, pairs, edges, walls, contacts, dashpot, dt)
+                slowed = add_viscous(bulk, contacts, used, new, dt, drag, lag)
                 kick(crowd, 0, 0, n, span)
             sums = crowd.work.sums
             far = math.sqrt(farthest(sums))

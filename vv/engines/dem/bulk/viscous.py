@@ -11,10 +11,16 @@ import numpy as np
 
 from vv.engines.dem.bulk.grains import RADIUS, Grains, V, columns_of
 from vv.engines.dem.bulk.near import Near
-from vv.engines.dem.contact.dashpots import RATE, SPRING, Met, add_viscous_forces, apply_forces
+from vv.engines.dem.contact.dashpots import (
+    RATE,
+    SPRING,
+    ViscousContacts,
+    add_viscous_forces,
+    apply_forces,
+)
 from vv.engines.dem.contact.linear import closing_factor
 from vv.engines.dem.contact.pairs import normals_in_step
-from vv.engines.dem.space.neighbours import MET
+from vv.engines.dem.space.neighbours import DASHPOT_COLUMNS
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined, inlined_called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
@@ -25,14 +31,20 @@ Dashpot = tuple[float, float]
 
 
 @inlined_called
-def contact_arrays(many: int) -> Met:
+def contact_arrays(many: int) -> ViscousContacts:
     """Arrays for so many closed contacts."""
-    return np.zeros((many, 2), np.intp), np.zeros((many, MET))
+    return np.zeros((many, 2), np.intp), np.zeros((many, DASHPOT_COLUMNS))
 
 
 @lent
 def list_closed(
-    grains: Grains, pairs: Near, edges: Near, walls: Vector, met: Met, dashpot: Dashpot, dt: float
+    grains: Grains,
+    pairs: Near,
+    edges: Near,
+    walls: Vector,
+    contacts: ViscousContacts,
+    dashpot: Dashpot,
+    dt: float,
 ) -> int:
     """List all contacts that are closed at the end of a step; return how many there are.
 
@@ -52,21 +64,21 @@ def list_closed(
                 )
                 opened = normals_in_step(d, length, relative, dt)[2]
                 normal = add_scaled(NOWHERE, 1.0 / length, d)
-                store_contact(met, used, (i, j), normal, reach - length, opened, dashpot)
+                store_contact(contacts, used, (i, j), normal, reach - length, opened, dashpot)
                 used += 1
         for k in range(edges.start[i], edges.start[i + 1]):
             normal = at(walls, edges.other[k])
             overlap = row[i, RADIUS] - dot(at(row, i), normal) + walls[edges.other[k], 3]
             if overlap > 0.0:
                 opened = dt * dot(normal, columns_of(row, i, V))
-                store_contact(met, used, (n, i), normal, overlap, opened, dashpot)
+                store_contact(contacts, used, (n, i), normal, overlap, opened, dashpot)
                 used += 1
     return used
 
 
 @inlined
 def store_contact(
-    met: Met,
+    contacts: ViscousContacts,
     k: int,
     ends: tuple[int, int],
     normal: Triple,
@@ -75,7 +87,7 @@ def store_contact(
     dashpot: Dashpot,
 ) -> None:
     """Fill line k of the list; `closing_factor` applies if the contact closed in the step."""
-    rows, kept = met
+    rows, kept = contacts
     share = closing_factor(overlap, -opened) if overlap + opened <= 0.0 else 1.0
     rows[k, 0], rows[k, 1] = ends
     put(kept, k, normal)
@@ -85,7 +97,7 @@ def store_contact(
 @lent
 def add_viscous(
     grains: Grains,
-    met: Met,
+    contacts: ViscousContacts,
     used: int,
     new: Vector,
     dt: float,
@@ -96,12 +108,12 @@ def add_viscous(
 
     The powers are those before and after the kick.
     """
-    both = (met[0][:used], met[1][:used]), (met[0][:0], met[1][:0])
+    both = (contacts[0][:used], contacts[1][:used]), (contacts[0][:0], contacts[1][:0])
     v = grains.row[:, V : V + 3]
     return add_viscous_forces(both, grains.acting, v, new, grains.mass, None, dt, drag, lag)
 
 
 @lent
-def withdraw(grains: Grains, met: Met, used: int) -> None:
+def withdraw(grains: Grains, contacts: ViscousContacts, used: int) -> None:
     """Subtract the viscous forces again."""
-    apply_forces((met[0][:used], met[1][:used]), grains.acting, -1.0)
+    apply_forces((contacts[0][:used], contacts[1][:used]), grains.acting, -1.0)

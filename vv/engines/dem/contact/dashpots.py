@@ -22,7 +22,7 @@ SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T has a condition of at most 2
 SETTLED = 1e-15  # change of a last sweep, relative to the largest force
 SPRING, RATE, FORCE = 3, 4, 5  # columns after those of the normal
 
-Met = tuple[Index, Vector]
+ViscousContacts = tuple[Index, Vector]
 """Contacts that may be viscous: the rows (k, 2) of their bodies, the first of which is pushed
 against the normal; (k, 7) normal, push of the spring [N], coefficient [N s/m], viscous force [N],
 overlap [m]."""
@@ -30,7 +30,7 @@ overlap [m]."""
 
 @inlined
 def update_contacts(
-    met: Met,
+    contacts: ViscousContacts,
     u: Vector,
     pairs: Pairs | None,
     walls: Walls | None,
@@ -45,22 +45,28 @@ def update_contacts(
             overlap, d, length = pair_overlap(u, pairs, p)
             reduced = 1.0 / (1.0 / pairs[3][p, 0] + 1.0 / pairs[3][p, 1])
             update_contact(
-                met, k, add_scaled(NOWHERE, 1.0 / length, d), overlap, reduced, law, mass
+                contacts, k, add_scaled(NOWHERE, 1.0 / length, d), overlap, reduced, law, mass
             )
             k += 1
     if walls is not None:
         for q in range(len(walls[0])):
             overlap = wall_overlap(u, walls, moving, q)
-            update_contact(met, k, at(walls[1], q), overlap, walls[3][q], law, mass)
+            update_contact(contacts, k, at(walls[1], q), overlap, walls[3][q], law, mass)
             k += 1
 
 
 @inlined
 def update_contact(
-    met: Met, k: int, n: Triple, overlap: float, radius: float, law: Law, mass: Vector
+    contacts: ViscousContacts,
+    k: int,
+    n: Triple,
+    overlap: float,
+    radius: float,
+    law: Law,
+    mass: Vector,
 ) -> None:
     """Update contact k to a normal n and an overlap [m]; radius: 1/(1/r1 + 1/r2) [m]."""
-    ends, kept = met
+    ends, kept = contacts
     before = kept[k, OVERLAP]
     put(kept, k, n)
     if overlap > 0.0:
@@ -74,7 +80,7 @@ def update_contact(
 
 @inlined
 def add_viscous_forces(
-    mets: tuple[Met, Met | None],
+    groups: tuple[ViscousContacts, ViscousContacts | None],
     push: Vector,
     v: Vector,
     new: Vector,
@@ -93,33 +99,33 @@ def add_viscous_forces(
     for i in range(len(mass)):
         free = free_part(at(push, i), hold, i)
         put(new, i, next_velocity(at(v, i), free, mass[i], dt, drag, lag, i))
-    clear_forces(mets[0])
-    clear_forces(mets[1])
+    clear_forces(groups[0])
+    clear_forces(groups[1])
     extra = 0.0
     if drag is not None:
         extra = (1.0 - lag) * drag.eta * dt
     for _ in range(SWEEPS):
-        reached = sweep(mets[0], (0.0, 0.0), v, new, mass, hold, dt, extra, lag)
-        most, change = sweep(mets[1], reached, v, new, mass, hold, dt, extra, lag)
+        reached = sweep(groups[0], (0.0, 0.0), v, new, mass, hold, dt, extra, lag)
+        most, change = sweep(groups[1], reached, v, new, mass, hold, dt, extra, lag)
         if change <= SETTLED * most:
             break
-    taken = dissipated(mets[1], dissipated(mets[0], (0.0, 0.0), v, new), v, new)
-    apply_forces(mets[0], push, 1.0)
-    apply_forces(mets[1], push, 1.0)
+    taken = dissipated(groups[1], dissipated(groups[0], (0.0, 0.0), v, new), v, new)
+    apply_forces(groups[0], push, 1.0)
+    apply_forces(groups[1], push, 1.0)
     return taken
 
 
 @inlined
-def clear_forces(met: Met | None) -> None:
+def clear_forces(contacts: ViscousContacts | None) -> None:
     """Set the viscous forces of all contacts to zero."""
-    if met is not None:
-        for k in range(len(met[0])):
-            met[1][k, FORCE] = 0.0
+    if contacts is not None:
+        for k in range(len(contacts[0])):
+            contacts[1][k, FORCE] = 0.0
 
 
 @inlined
 def sweep(
-    met: Met | None,
+    contacts: ViscousContacts | None,
     reached: tuple[float, float],
     v: Vector,
     new: Vector,
@@ -133,13 +139,13 @@ def sweep(
 
     reached: both values of the contacts that were swept before, included in the result.
     """
-    if met is None:
+    if contacts is None:
         return reached
-    ends, kept = met
+    ends, kept = contacts
     most, change = reached
     for k in range(len(ends)):
         if kept[k, RATE] > 0.0:
-            force = corrected_force(met, k, v, new, mass, hold, dt, extra, lag)
+            force = corrected_force(contacts, k, v, new, mass, hold, dt, extra, lag)
             change = max(change, abs(force - kept[k, FORCE]))
             most = max(most, abs(force))
             kept[k, FORCE] = force
@@ -148,12 +154,12 @@ def sweep(
 
 @inlined
 def dissipated(
-    met: Met | None, before: tuple[float, float], v: Vector, new: Vector
+    contacts: ViscousContacts | None, before: tuple[float, float], v: Vector, new: Vector
 ) -> tuple[float, float]:
     """The powers [W] dissipated at the velocities before and after, plus those in `before`."""
-    if met is None:
+    if contacts is None:
         return before
-    ends, kept = met
+    ends, kept = contacts
     behind, ahead = before
     for k in range(len(ends)):
         n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
@@ -164,7 +170,7 @@ def dissipated(
 
 @inlined
 def corrected_force(
-    met: Met,
+    contacts: ViscousContacts,
     k: int,
     v: Vector,
     new: Vector,
@@ -175,7 +181,7 @@ def corrected_force(
     lag: float,
 ) -> float:
     """The force [N] of contact k for the present forces of all others; new is updated with it."""
-    ends, kept = met
+    ends, kept = contacts
     n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
     first, second = NOWHERE, NOWHERE
     if i < len(mass):
@@ -196,11 +202,11 @@ def corrected_force(
 
 
 @inlined
-def apply_forces(met: Met | None, push: Vector, sign: float) -> None:
+def apply_forces(contacts: ViscousContacts | None, push: Vector, sign: float) -> None:
     """Add the forces of all contacts, times `sign`, to push."""
-    if met is None:
+    if contacts is None:
         return
-    ends, kept = met
+    ends, kept = contacts
     for k in range(len(ends)):
         force, j = add_scaled(NOWHERE, sign * kept[k, FORCE], at(kept, k)), ends[k, 1]
         i = min(ends[k, 0], len(push) - 1)  # forces on moving walls go to the ground's row

@@ -23,14 +23,14 @@ class Elastic(NamedTuple):
 
     modulus: effective modulus [Pa]; friction: effective shear modulus [Pa] and mu, or None;
     damping: z in the viscous force 2 z sqrt(m kn) U', or None; stiffness: kn and ks [N/m] at the
-    deepest overlap that the energy at t = 0 can cause; asked: see `law.py`.
+    deepest overlap that the energy at t = 0 can cause; at_run_time: see `law.py`.
     """
 
     modulus: float
     friction: tuple[float, float] | None
     damping: float | None
     stiffness: tuple[float, float]
-    asked: int | None = None
+    at_run_time: int | None = None
 
     @property
     def columns(self) -> int:

@@ -1,8 +1,8 @@
 """The interface of contact laws, and the choice of the law of a scene.
 
 A law is a named tuple in a file of this folder. Its field `friction` is None without friction;
-otherwise its second number is mu. Its field `asked` is None if the compiler decides whether there
-are friction and rotation; it is a number if every step decides this at run time, and a scene
+otherwise its second number is mu. Its field `at_run_time` is None if the compiler decides whether
+there are friction and rotation; it is a number if every step decides this at run time, and a scene
 without friction then has `NO_FRICTION`. Its property `stiffness` is the largest kn and ks [N/m],
 and its property `columns` says how many numbers a contact stores from step to step.
 
@@ -44,11 +44,11 @@ def has_friction(law: Law) -> bool:
 
 
 @inlined
-def spheres_rotate(turn: Vector | None, asked: int | None) -> bool:
-    """Whether spheres rotate; decided at run time by the rows of `turn` if `asked` is a number."""
+def spheres_rotate(turn: Vector | None, at_run_time: int | None) -> bool:
+    """Whether spheres rotate; if `at_run_time` is a number, the rows of `turn` decide this."""
     if turn is None:
         return False
-    if asked is None:
+    if at_run_time is None:
         return True
     return len(turn) > 0
 

@@ -15,14 +15,14 @@ from vv.scene import Vector
 class Linear(NamedTuple):
     """kn [N/m]; friction: ks [N/m] and mu, or None (Li 2018, Eqs. 4-8); eta_n [N s/m], or None.
 
-    The viscous force is computed in `dashpots.py`; here it only limits friction. asked: see
+    The viscous force is computed in `dashpots.py`; here it only limits friction. at_run_time: see
     `law.py`.
     """
 
     kn: float
     friction: tuple[float, float] | None
     eta_n: float | None
-    asked: int | None = None
+    at_run_time: int | None = None
 
     @property
     def stiffness(self) -> tuple[float, float]:

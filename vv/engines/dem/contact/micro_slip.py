@@ -30,7 +30,7 @@ class MicroSlip(NamedTuple):
     friction: tuple[float, float] | None
     damping: float | None
     stiffness: tuple[float, float]
-    asked: int | None = None
+    at_run_time: int | None = None
 
     @property
     def columns(self) -> int:

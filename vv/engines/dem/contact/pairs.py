@@ -118,17 +118,17 @@ def pair_forces(
     dt: float,
     pairs: Pairs,
     law: Law,
-    asked: int | None,
+    at_run_time: int | None,
     shear: Vector,
 ) -> Triple:
     """Add the forces of all pairs; return energies [J]: normal and tangential springs, dissipation.
 
-    mass: (m,) of the moving spheres; asked: see `law.py`; shear: (p, columns) numbers stored from
-    step to step, the tangential force on the second sphere [N] first.
+    mass: (m,) of the moving spheres; at_run_time: see `law.py`; shear: (p, columns) numbers stored
+    from step to step, the tangential force on the second sphere [N] first.
     """
-    if asked is not None and law.friction[1] == 0.0:
+    if at_run_time is not None and law.friction[1] == 0.0:
         return add_pair_forces(motion, mass, dt, pairs, law, None, False, shear)
-    turns = spheres_rotate(motion.turn, asked)
+    turns = spheres_rotate(motion.turn, at_run_time)
     return add_pair_forces(motion, mass, dt, pairs, law, law.friction, turns, shear)
 
 

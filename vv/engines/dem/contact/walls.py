@@ -116,18 +116,18 @@ def wall_forces(
     dt: float,
     walls: Walls,
     law: Law,
-    asked: int | None,
+    at_run_time: int | None,
     shear: Vector,
     moving: Moving | None,
 ) -> tuple[float, float, float, float]:
     """Add the forces of walls; return energies [J] as of `pair_forces`, and the work of the walls.
 
-    mass: (m,) of the moving spheres; asked: see `law.py`; shear: (q, columns) numbers stored from
-    step to step, the tangential force on the sphere [N] first; moving: None if no wall moves.
+    mass: (m,) of the moving spheres; at_run_time: see `law.py`; shear: (q, columns) numbers stored
+    from step to step, the tangential force on the sphere [N] first; moving: None if no wall moves.
     """
-    if asked is not None and law.friction[1] == 0.0:
+    if at_run_time is not None and law.friction[1] == 0.0:
         return add_wall_forces(motion, mass, dt, walls, law, None, False, shear, moving)
-    turns = spheres_rotate(motion.turn, asked)
+    turns = spheres_rotate(motion.turn, at_run_time)
     return add_wall_forces(motion, mass, dt, walls, law, law.friction, turns, shear, moving)
 
 

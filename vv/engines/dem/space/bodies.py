@@ -13,7 +13,7 @@ class Bodies(NamedTuple):
     velocity, spin: (m, 3) at t = 0; mass, inertia: (m,); hold, hold_spin: (m, 3, 3) projectors on
     the free directions, (0, 3, 3) if all are free; walls: how many walls have rows of their own
     because they move. If no sphere rotates, inertia is (0,), and spin is None, or (0, 3) where this
-    is decided at run time (`Placed.asks`).
+    is decided at run time (`Placed.decides_at_run_time`).
     """
 
     velocity: Vector
@@ -44,7 +44,7 @@ class Motion(NamedTuple):
     u: displacements [m]; v, w: mean velocities [m/s] and spins [1/s] of the last step; before,
     spun: those of the step before it; push, turn: forces [N] and torques [N m]. w, spun and turn
     are None if no sphere rotates, or have no rows where this is decided at run time
-    (`Placed.asks`).
+    (`Placed.decides_at_run_time`).
     """
 
     u: Vector

@@ -132,7 +132,7 @@ def _bodies(here: Placed, turns: bool) -> Bodies:
     """The data of the moving spheres."""
     scene, moves, spheres = here.scene, here.moves, here.scene.spheres
     free, free_spin = spheres.free[moves], spheres.free_spin[moves]
-    spin = np.zeros((0, 3)) if here.asks else None
+    spin = np.zeros((0, 3)) if here.decides_at_run_time else None
     if turns:
         spin = projected(spheres.spin[moves], scene.axes, free_spin)
     return Bodies(

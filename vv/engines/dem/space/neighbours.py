@@ -26,7 +26,10 @@ from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.scene import Vector
 
 State = npt.NDArray[np.uint8]
-MET, OVERLAP = 7, 6  # columns that dashpots store per contact, and the column of the overlap
+DASHPOT_COLUMNS, OVERLAP = (
+    7,
+    6,
+)  # columns that dashpots store per contact, and the column of the overlap
 
 
 @bundle
@@ -35,8 +38,8 @@ class Slots(NamedTuple):
 
     both: spheres i < j (k, 2); rows: their rows (k, 2); offset (k, 3) and gap (k,) at t = 0; radii
     (k, 2). Copied to the slots of the next search: shear (k, 3), the tangential force on the second
-    sphere [N], and met (k, 7), the data of dashpots (`vv.engines.dem.contact.dashpots`), (0, 7)
-    without them.
+    sphere [N], and dashpots (k, 7), the data of dashpots (`vv.engines.dem.contact.dashpots`), (0,
+    7) without them.
     """
 
     both: Index
@@ -45,7 +48,7 @@ class Slots(NamedTuple):
     gap: Vector
     radii: Vector
     shear: Vector
-    met: Vector
+    dashpots: Vector
 
 
 class Near(NamedTuple):
@@ -71,7 +74,7 @@ class Near(NamedTuple):
 def no_slots() -> Slots:
     """Slots without any pair."""
     none, three = integer_pairs(0), rows(0)
-    return Slots(none, none, three, numbers(0), table(0, 2), three, table(0, MET))
+    return Slots(none, none, three, numbers(0), table(0, 2), three, table(0, DASHPOT_COLUMNS))
 
 
 @called
@@ -203,10 +206,10 @@ def search_pairs(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
     used, room = len(pairs), len(pairs) + len(near[5])
     both, held, radii = integer_pairs(room), integer_pairs(room), table(room, 2)
     offset, gap, shear = zero_rows(room), zero_numbers(room), zero_rows(room)
-    met = table(room if near.viscous else 0, MET)
-    for k in range(len(met)):
-        for c in range(MET):
-            met[k, c] = np.inf
+    dashpots = table(room if near.viscous else 0, DASHPOT_COLUMNS)
+    for k in range(len(dashpots)):
+        for c in range(DASHPOT_COLUMNS):
+            dashpots[k, c] = np.inf
     last, earlier = repeated(len(radius), -1), counts(many[0])
     for k in range(many[0]):
         i = old.both[k, 0]
@@ -222,7 +225,7 @@ def search_pairs(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
             if old.both[before, 1] == j:
                 put(shear, k, at(old.shear, before))
                 if near.viscous:
-                    met[k, OVERLAP] = old.met[before, OVERLAP]
+                    dashpots[k, OVERLAP] = old.dashpots[before, OVERLAP]
             before = earlier[before]
     many[0] = used
-    return Slots(both, held, offset, gap, radii, shear, met)
+    return Slots(both, held, offset, gap, radii, shear, dashpots)

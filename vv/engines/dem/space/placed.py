@@ -37,7 +37,7 @@ class Placed:
         return bool(self.moves.any()) and (len(self.scene.walls) > 0 or len(self.scene.spheres) > 1)
 
     @property
-    def asks(self) -> bool:
+    def decides_at_run_time(self) -> bool:
         """Whether every step decides at run time if there are friction and rotation.
 
         This is so where a step takes so long that the decision costs next to nothing; then fewer
@@ -50,7 +50,11 @@ class Placed:
     def law(self) -> Law:
         """The contact law."""
         law = law_of(self.scene)
-        return law._replace(friction=law.friction or NO_FRICTION, asked=0) if self.asks else law
+        return (
+            law._replace(friction=law.friction or NO_FRICTION, at_run_time=0)
+            if self.decides_at_run_time
+            else law
+        )
 
     @property
     def walls_move(self) -> bool:

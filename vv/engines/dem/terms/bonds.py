@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.bonds.bend import SCRATCH
+from vv.engines.dem.bonds.all_forces import Shares, add_bond_forces, break_bonds
+from vv.engines.dem.bonds.block_forces import SCRATCH
 from vv.engines.dem.bonds.blocks import WIDE, Blocks
 from vv.engines.dem.bonds.law import Frail, Springs
-from vv.engines.dem.bonds.pull import Shares, add_bond_forces, break_bonds
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space import springs as stable
 from vv.engines.dem.space.bodies import Bodies, Motion

@@ -12,7 +12,7 @@ import numpy as np
 
 from vv.engines.dem.contact.dashpots import (
     FORCE,
-    Met,
+    ViscousContacts,
     add_viscous_forces,
     apply_forces,
     update_contacts,
@@ -23,7 +23,7 @@ from vv.engines.dem.contact.walls import Moving, Walls
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.ledger import column
-from vv.engines.dem.space.neighbours import MET, OVERLAP, Slots
+from vv.engines.dem.space.neighbours import DASHPOT_COLUMNS, OVERLAP, Slots
 from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.terms import pair_contacts, wall_contacts
 from vv.engines.dem.terms.drag import Drag
@@ -40,8 +40,8 @@ EARLIER, BEHIND, AHEAD, WORK = 0, 1, 2, 3  # places in the array of stored power
 class Dashpots(NamedTuple):
     """The viscous contacts of a scene and their law.
 
-    met: the contacts that are listed once; those found by the neighbour search are in the slots,
-    and near is None if there is no search. new: storage for velocities, a row for each of
+    contacts: the contacts that are listed once; those found by the neighbour search are in the
+    slots, and near is None if there is no search. new: storage for velocities, a row for each of
     `Motion.v`. moving: see `wall_contacts.moved`; done (4,): the powers [W] of moving walls after
     the previous step, and before and after the present kick, and their work since t = 0 [J].
     """
@@ -49,7 +49,7 @@ class Dashpots(NamedTuple):
     pairs: Pairs | None
     walls: Walls | None
     law: Law
-    met: Met
+    contacts: ViscousContacts
     near: int | None
     new: Vector
     moving: Moving | None
@@ -68,10 +68,10 @@ def build(placed: Placed) -> Dashpots | None:
         first = np.full_like(walls[0], m) if moving is None else moving[0]
         ends.append(np.stack([first, walls[0]], axis=1))
     both = np.concatenate(ends)
-    met = both, np.zeros((len(both), MET))
+    contacts = both, np.zeros((len(both), DASHPOT_COLUMNS))
     new = np.zeros((m + 1 + (0 if moving is None else len(scene.walls)), 3))
     near = None if placed.near is None else len(placed.near.radius)
-    return Dashpots(pairs, walls, placed.law, met, near, new, moving, np.zeros(4))
+    return Dashpots(pairs, walls, placed.law, contacts, near, new, moving, np.zeros(4))
 
 
 def models(term: Dashpots) -> frozenset[Term]:
@@ -82,7 +82,7 @@ def models(term: Dashpots) -> frozenset[Term]:
 @inlined
 def begin(term: Dashpots, bodies: Bodies, motion: Motion) -> None:
     """Clear all contacts; those that are closed at t = 0 count as closed for long."""
-    kept = term.met[1]
+    kept = term.contacts[1]
     for k in range(len(kept)):
         for c in range(OVERLAP):
             kept[k, c] = 0.0
@@ -110,7 +110,9 @@ def viscous(
     lag: float,
 ) -> tuple[float, float]:
     """Add the forces of all dashpots; return the powers [W] before and after the kick."""
-    update_contacts(term.met, motion.u, term.pairs, term.walls, term.moving, term.law, bodies.mass)
+    update_contacts(
+        term.contacts, motion.u, term.pairs, term.walls, term.moving, term.law, bodies.mass
+    )
     extrapolate_walls(term.new, motion, len(bodies.mass) + 1)
     taken = add_all_forces(term, term.near, bodies, motion, dt, slots, many, drag, lag)
     note_wall_powers(term, term.moving, motion.v, len(bodies.mass))
@@ -133,12 +135,12 @@ def add_all_forces(
     new, mass, hold = term.new, bodies.mass, bodies.hold
     if near is None:
         return add_viscous_forces(
-            (term.met, None), motion.push, motion.v, new, mass, hold, dt, drag, lag
+            (term.contacts, None), motion.push, motion.v, new, mass, hold, dt, drag, lag
         )
     pairs = slots.rows[: many[0]], slots.offset, slots.gap, slots.radii
-    update_contacts((slots.rows, slots.met), motion.u, pairs, None, None, term.law, mass)
-    mets = term.met, (slots.rows[: many[0]], slots.met)
-    return add_viscous_forces(mets, motion.push, motion.v, new, mass, hold, dt, drag, lag)
+    update_contacts((slots.rows, slots.dashpots), motion.u, pairs, None, None, term.law, mass)
+    groups = term.contacts, (slots.rows[: many[0]], slots.dashpots)
+    return add_viscous_forces(groups, motion.push, motion.v, new, mass, hold, dt, drag, lag)
 
 
 @inlined
@@ -156,7 +158,7 @@ def extrapolate_walls(new: Vector, motion: Motion, first: int) -> None:
 def note_wall_powers(term: Dashpots, moving: Moving | None, v: Vector, ground: int) -> None:
     """Store the powers [W] of moving walls before and after this kick, and after the last one."""
     if moving is not None:
-        ends, kept = term.met
+        ends, kept = term.contacts
         behind = ahead = 0.0
         for k in range(len(ends)):
             if ends[k, 0] > ground:
@@ -191,7 +193,7 @@ def book(term: Dashpots, bodies: Bodies, motion: Motion, energy: Vector, row: in
 @inlined
 def withdraw(term: Dashpots, bodies: Bodies, motion: Motion, slots: Slots, many: Index) -> None:
     """Subtract the forces again."""
-    apply_forces(term.met, motion.push, -1.0)
+    apply_forces(term.contacts, motion.push, -1.0)
     withdraw_near(term.near, motion.push, slots, many)
 
 
@@ -199,4 +201,4 @@ def withdraw(term: Dashpots, bodies: Bodies, motion: Motion, slots: Slots, many:
 def withdraw_near(near: int | None, push: Vector, slots: Slots, many: Index) -> None:
     """Subtract the forces of contacts in slots, if there are any."""
     if near is not None:
-        apply_forces((slots.rows[: many[0]], slots.met), push, -1.0)
+        apply_forces((slots.rows[: many[0]], slots.dashpots), push, -1.0)

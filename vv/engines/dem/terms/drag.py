@@ -27,7 +27,12 @@ def build(placed: Placed) -> Drag | None:
     """
     scene, steady = placed.scene, placed.carried
     rubs_locked = placed.law.friction is not None and not scene.spheres.free_spin.any()
-    if scene.eta == 0.0 and scene.bonds is None and not placed.asks and not rubs_locked:
+    if (
+        scene.eta == 0.0
+        and scene.bonds is None
+        and not placed.decides_at_run_time
+        and not rubs_locked
+    ):
         return None
     return Drag(scene.eta, steady if steady.any() else steady[:0])
 

@@ -76,5 +76,7 @@ def force(
     """Add the forces of all pairs that touch; return energies [J] as `hooks.force` does."""
     k, law = many[0], term.law
     pairs = slots.rows[:k], slots.offset[:k], slots.gap[:k], slots.radii[:k]
-    normal, shear, lost = pair_forces(motion, bodies.mass, dt, pairs, law, law.asked, slots.shear)
+    normal, shear, lost = pair_forces(
+        motion, bodies.mass, dt, pairs, law, law.at_run_time, slots.shear
+    )
     return normal, shear, lost, 0.0

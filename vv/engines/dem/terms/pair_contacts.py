@@ -81,6 +81,6 @@ def force(
     """Add the forces of all pairs that touch; return energies [J] as `hooks.force` does."""
     law = term.law
     normal, shear, lost = pair_forces(
-        motion, bodies.mass, dt, term.pairs, law, law.asked, term.shear
+        motion, bodies.mass, dt, term.pairs, law, law.at_run_time, term.shear
     )
     return normal, shear, lost, 0.0

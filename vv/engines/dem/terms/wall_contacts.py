@@ -106,4 +106,6 @@ def force(
 ) -> tuple[float, float, float, float]:
     """Add the forces of walls on spheres; return energies [J] as `hooks.force` does."""
     law = term.law
-    return wall_forces(motion, bodies.mass, dt, term.walls, law, law.asked, term.shear, term.moving)
+    return wall_forces(
+        motion, bodies.mass, dt, term.walls, law, law.at_run_time, term.shear, term.moving
+    )

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from vv.engines.dem.bonds.bend import store_vector, vector_of
+from vv.engines.dem.bonds.block_forces import store_vector, vector_of
 from vv.engines.dem.bonds.blocks import WIDE
-from vv.engines.dem.bulk.contacts.fetch import (
+from vv.engines.dem.bulk.contacts.gather import (
     ACROSS,
     CAPS,
     FADING,

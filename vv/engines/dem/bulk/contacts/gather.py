@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vv.engines.dem.bonds.bend import store_vector, vector_of
+from vv.engines.dem.bonds.block_forces import store_vector, vector_of
 from vv.engines.dem.bonds.blocks import WIDE
 from vv.engines.dem.bulk.grains import (
     BEFORE,
@@ -26,7 +26,7 @@ SOON = 24  # how many pairs ahead rows are loaded into the cache
 OFFSET, RADII, WAS, RELATIVE, ROLLED, SPINS, SPRING, CHANGED = 0, 3, 5, 6, 9, 12, 15, 18
 NORMALS, ALONG, MIDWAY, SLIDE, ACROSS, OLD, STIFF, CAPS, HOW_LONG = 0, 5, 6, 9, 12, 15, 18, 19, 21
 INSIDE, ARMS, TRIAL, MORE, TURNS, FADING, TAKEN, FORCE, TORQUE = 22, 23, 25, 28, 31, 32, 31, 6, 9
-"""Places of the numbers of a contact in scratch: the data of `gather_ends`, and later results.
+"""Places of the numbers of a contact in scratch: the data of `gather_motion`, and later results.
 
 All must fit into the first cache beside the data of the spheres. OFFSET: from the first centre to
 the second; WAS: whether they touched before, 1 or 0; ROLLED: the sum of radius times spin; SPINS:

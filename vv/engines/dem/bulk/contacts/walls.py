@@ -36,7 +36,7 @@ def add_wall_forces(
     law: Law,
     friction: tuple[float, float] | None,
 ) -> None:
-    """Add the forces of walls, for the contacts some[0] to some[1] (exclusive); see `press`."""
+    """Add the forces of walls for contacts some[0] to some[1]; see `add_pair_forces`."""
     edges, walls, dt, sums = crowd.edges, crowd.rules.walls, crowd.rules.dt, crowd.work.sums
     row, acting = crowd.grains.row, crowd.grains.acting
     one, other, touching, shear = edges.one, edges.other, edges.touching, edges.shear

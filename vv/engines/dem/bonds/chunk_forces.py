@@ -10,7 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from vv.engines.dem.bonds.bend import HIT, Like, add_block_forces, compute_block, gather_ends
+from vv.engines.dem.bonds.block_forces import (
+    HIT,
+    Like,
+    add_block_forces,
+    compute_block,
+    gather_ends,
+)
 from vv.engines.dem.bonds.blocks import WIDE, Ends
 from vv.engines.dem.bonds.law import Frail
 from vv.engines.dem.rows import Index
@@ -48,7 +54,7 @@ def compute_chunk(
     push, turn: forces and torques (chunks x rows, 3); scratch: a row for each chunk; held: (c, 3)
     normal and shear energies [J], and how many bonds break; many: how many bonds there are in all;
     state: (k, WIDE) 0 for a whole bond, BROKEN or BREAKS. The other arguments are those of `Blocks`
-    and `pull`. It is one function since half of its lines are arguments.
+    and `add_bond_forces`. It is one function since half of its lines are arguments.
     """
     base: Any = np.uint64(c * (len(push) // len(held)))  # unsigned: numba tests signs
     for i in range(base + np.uint64(window[c, 0]), base + np.uint64(window[c, 1])):

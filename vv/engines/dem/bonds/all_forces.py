@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.dem.bonds.bend import SCRATCH, vector_of
+from vv.engines.dem.bonds.block_forces import SCRATCH, vector_of
 from vv.engines.dem.bonds.blocks import SLIP, WIDE, Blocks
+from vv.engines.dem.bonds.chunk_forces import BREAKS, BROKEN, compute_chunks
 from vv.engines.dem.bonds.law import (
     Frail,
     Springs,
@@ -15,7 +16,6 @@ from vv.engines.dem.bonds.law import (
     remaining_force,
     surface_motion,
 )
-from vv.engines.dem.bonds.sweep import BREAKS, BROKEN, compute_chunks
 from vv.engines.dem.bonds.threads import compute_chunks_in_threads
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Slots, State
@@ -153,8 +153,8 @@ def add_bond_forces(
     springs: rows (b, 2), offset at t = 0 (b, 3) and its length (b,), stretch at t = 0 (b,), kn
     (b,), radii (b, 2). table: that of blocks, in which the shear displacements are updated; they
     rotate with the bond and, where spheres rotate, about it by the mean of their spins. frail:
-    tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `sweep`. It is
-    one function since most of its lines are arguments.
+    tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `compute_chunk`.
+    It is one function since most of its lines are arguments.
     """
     ends, like, share, window = blocks[0], blocks[2], blocks[3], blocks[4]
     if threads is None:
