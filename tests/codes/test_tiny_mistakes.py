@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tests.codes.test_tiny_scene_check import SCENES
-from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.ask import Ask, Displacement, History, Knobs, Status, Velocity
 from vv.codes.tiny_scenes import friction
 from vv.codes.tiny_scenes.blocks import DOWN, PRESSED, ROUGH
 from vv.codes.tiny_scenes.flights import FLUID
@@ -233,37 +233,39 @@ WRONG: dict[str, dict[str, Change]] = {
 EACH = [(name, words) for name, changes in WRONG.items() for words in changes]
 
 
-def moved(scene: Scene, tiny: TinyScene) -> tuple[Vector, Vector]:
-    """Times and displacements of the last body, by `rigid` for a block, else by `dem`."""
+def moved(scene: Scene, tiny: TinyScene) -> tuple[Vector, Vector, Vector]:
+    """Times, displacements and velocities of the last body: `rigid` for a block, else `dem`."""
     block = isinstance(scene.bodies[-1], Block)
     adapter = find().load_adapter("rigid" if block else "dem")
     number = sum(len(group) for group in scene.bodies) - 1
     goal = History(tiny.duration, tiny.duration / OUTPUTS)
-    ask = Ask(scene, goal, (Displacement(number),), Knobs(dt=tiny.duration / STEPS))
+    seen = Displacement(number), Velocity(number)
+    ask = Ask(scene, goal, seen, Knobs(dt=tiny.duration / STEPS))
     (run,) = adapter.run([ask], adapter.schemes[0].name, None, 0.0)  # type: ignore[arg-type]
     assert run.status is Status.RAN, run.reason
-    return run.times, run.values[Displacement(number)]
+    way, speed = (run.values[one] for one in seen)
+    return run.times, way, speed
 
 
 @pytest.mark.parametrize(("name", "words"), EACH)
 def test_a_mistake_looks_like_a_right_answer_to_a_scene_with_it(name: str, words: str) -> None:
     tiny = SCENES[name]
-    times, found = moved(WRONG[name][words](tiny.scene), tiny)
-    np.testing.assert_allclose(
-        tiny.mistakes[words](times)[0], found, rtol=0, atol=2e-3 * np.abs(found).max()
-    )
+    times, *found = moved(WRONG[name][words](tiny.scene), tiny)
+    for mistaken, due in zip(tiny.mistakes[words](times), found, strict=True):
+        np.testing.assert_allclose(mistaken, due, rtol=0, atol=2e-3 * np.abs(due).max())
 
 
-def slip(push: Callable[[float], float], times: Vector) -> Vector:
-    """Way [m] of what slips at 1 m/s at first under an acceleration that its way decides."""
-    step, found = times[-1] / STEPS, [0.0]
-    way, speed = 0.0, 1.0
+def slip(push: Callable[[float], float], times: Vector) -> tuple[Vector, Vector]:
+    """Way [m] and speed of what slips at 1 m/s at first, accelerated as its way decides."""
+    way, speed, step = 0.0, 1.0, times[-1] / STEPS
+    found = [(way, speed)]
     for _ in range(STEPS):
         speed += 0.5 * step * push(way)
         way += step * speed
         speed += 0.5 * step * push(way)
-        found.append(way)
-    return np.asarray(found)[:: STEPS // OUTPUTS]
+        found.append((way, speed))
+    ways, speeds = np.asarray(found)[:: STEPS // OUTPUTS].T
+    return ways, speeds
 
 
 @pytest.mark.parametrize(
@@ -285,9 +287,11 @@ def test_friction_with_a_wrong_sign_drives_what_it_should_hold(
         return sign * min(law.ks * way, law.mu * friction.PRESSED) / MASS
 
     slipped = slip(lambda way: (1.0 + turns) * pull(way), times)
-    found = times + (slipped - times) / (1.0 + turns)
-    way = tiny.mistakes[words](times)[0] @ friction.ACROSS
-    np.testing.assert_allclose(way, found, rtol=0, atol=2e-3 * np.abs(found).max())
+    free = times, np.ones_like(times)
+    for mistaken, found, began in zip(tiny.mistakes[words](times), slipped, free, strict=True):
+        due = began + (found - began) / (1.0 + turns)
+        along = mistaken @ friction.ACROSS
+        np.testing.assert_allclose(along, due, rtol=0, atol=2e-3 * np.abs(due).max())
 
 
 def test_friction_that_pulls_along_adds_to_what_drives_a_block() -> None:

@@ -106,6 +106,37 @@ def test_a_sphere_that_a_bond_alone_sets_going_moves_along_and_across_it() -> No
     assert np.abs(moved(run) - exact).max() < 1e-12 * np.abs(exact).max()
 
 
+def test_a_sphere_between_two_that_swing_against_each_other_stays_at_rest() -> None:
+    """Its springs are as 1 to 2, as the ways of both are 2 to 1; what is across them differs."""
+    up, stiff = np.array([0.0, 0.0, 1.0]), np.array([1.0, 2.0, 1.0])
+    group = dataclasses.replace(
+        elements(D * np.outer(range(3), up), velocity=np.outer([2.0, 0.0, -1.0], up)),
+        mass=M * np.array([2.5, 7.0, 5.0]),  # (2 + 3)/2 and (2 + 3)/1, by the springs on each
+    )
+    bonds = tied(
+        pairs=np.array([[0, 1], [1, 2], [0, 2]]), length=D * np.array([1.0, 1.0, 2.0]),
+        kn=KN * stiff, ks=KN * np.array([0.5, 0.1, 0.2]),
+    )  # fmt: skip
+    run = solve_linearised(asked(Scene((group,), Contact(KN), bonds=bonds)))
+    assert run.model is not None
+    assert run.model.unknowns == 2
+    swing = np.sin(np.sqrt(KN / M) * run.times) / np.sqrt(KN / M)
+    due = np.multiply.outer(swing, group.velocity)
+    assert np.abs(moved(run) - due).max() < 1e-13 * np.abs(due).max()
+
+
+def test_a_pair_whose_pull_is_held_by_loads_drifts_on_and_does_nothing_else() -> None:
+    out, aside = (CORNERS[1] - CORNERS[0]) / D, np.array([0.0, 3.0, 0.0])
+    pull = 0.125 * KN * D * np.outer([1.0, -1.0], out)
+    group = elements(CORNERS[:2], velocity=np.array([aside, aside]), load=-pull)
+    bonds = tied(pairs=EDGES[:1], length=0.875 * D)
+    run = solve(asked(Scene((group,), Contact(KN), bonds=bonds)))
+    assert run.model is not None
+    assert run.model.unknowns == 2
+    due = np.multiply.outer(run.times, group.velocity)
+    assert np.abs(moved(run) - due).max() < 1e-13 * np.abs(due).max()
+
+
 @pytest.mark.parametrize("amplitude", [1e-6, 0.02, 0.9])
 def test_breathing_is_a_sine_at_any_amplitude(amplitude: float) -> None:
     scene = unit(elements(velocity=amplitude * RATE * OUT))

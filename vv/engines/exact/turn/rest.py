@@ -50,7 +50,8 @@ def end_of_rest(
     """The time [s] after which F^2 - |T|^2 first falls below -band, or `last`; out: (3,) for work.
 
     The search takes steps that cannot skip it: see
-    `vv.engines.exact.roots.first_descent_below_zero`.
+    `vv.engines.exact.roots.first_descent_below_zero`. They end less than the rounding `band` below
+    zero, from where one step of Newton's method leads back.
     """
     jerk, held, ahead = third_derivative_bound(rows, sines), t, last - t
     while t < last:
@@ -58,28 +59,9 @@ def end_of_rest(
         if out[0] > 0:
             held = t
         elif out[0] <= -band / 2:
-            return _zero(rows, sines, held, t, out)
+            return max(t - out[0] / out[1], held) if out[1] < 0 else t
         bend = max(jerk * ahead - out[2], 0.0)
         step = min(safe_step(out[0] + band, out[1], bend), ahead)
         t += max(step, 4e-16 * t)
         ahead = min(4 * step, last - t)
     return last
-
-
-@lent
-def _zero(rows: Vector, sines: Vector, low: float, high: float, out: Vector) -> float:
-    """The zero of F^2 - |T|^2 in [low, high], by Newton's method with bisection."""
-    t = high
-    for _ in range(60):
-        slack(rows, sines, t, out)
-        if out[0] < 0:
-            high = t
-        else:
-            low = t
-        guess = t - out[0] / out[1] if out[1] < 0 else math.nan
-        if not (low <= guess <= high):
-            guess = (low + high) / 2
-        if abs(guess - t) <= 2.3e-16 * high:
-            return guess
-        t = guess
-    return t
