@@ -12,7 +12,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from types import CodeType, FunctionType
+from types import CodeType, FunctionType, MappingProxyType
 
 import pytest
 
@@ -46,35 +46,40 @@ class Collected:
         if report.failed:
             self.red.append(report.nodeid)
 
-    def run(self, names: Sequence[str]) -> Iterator[tuple[str, bool]]:
-        """Run tests here, in turn: name, and whether it is green."""
+    def run(
+        self, names: Sequence[str], limits: Mapping[str, float] = MappingProxyType({})
+    ) -> Iterator[tuple[str, bool]]:
+        """Run tests here, in turn: name, and whether it is green.
+
+        limits: the CPU time [s] after which one of them ends this process.
+        """
         for name, after in zip(names, [*names[1:], None], strict=True):
+            if name in limits:
+                signal.setitimer(signal.ITIMER_PROF, limits[name])
             item, following = self.tests[name], after and self.tests[after]
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=following or None)
             yield name, name not in self.red
 
-    def red_of(self, names: Sequence[str], seconds: float, mutant: Mutant | None) -> str | None:
+    def red_of(self, limits: Mapping[str, float], mutant: Mutant | None) -> str | None:
         """The first test that is not green with a mutant, asked in a fork, or what it says else."""
         change = functools.partial(self._put_in, mutant) if mutant is not None else _nothing
-        return self.red_with(names, seconds, change)
+        return self.red_with(limits, change)
 
-    def red_with(
-        self, names: Sequence[str], seconds: float, change: Callable[[], None]
-    ) -> str | None:
+    def red_with(self, limits: Mapping[str, float], change: Callable[[], None]) -> str | None:
         """The first test that is not green after a change, made in a fork, or what it says else.
 
-        seconds: CPU time after which it hangs.
+        limits: the tests, and the CPU time [s] after which each hangs.
         """
         reading, writing = os.pipe()
 
         def ask() -> None:
             change()
-            for name, fine in self.run(names):
+            for name, fine in self.run([*limits], limits):
                 if not fine:
                     os.write(writing, name.encode())
                     return
 
-        status = forked(ask, seconds)
+        status = forked(ask, sum(limits.values()))
         os.close(writing)
         with os.fdopen(reading, "rb") as told:
             return told.read().decode() or (f"ends with {status}" if status else None)

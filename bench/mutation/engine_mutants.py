@@ -39,7 +39,7 @@ from vv.plan.project import find
 CODES = ("exact", "dem", "dda", "rigid")
 TESTS = ("tests/engines",)
 LONGEST = 60.0  # s of CPU time that the tests may take which one mutant is put to
-SPARE, HANGING = 10.0, 3.0  # s and times of what tests take without a mutant: it hangs
+SPARE, HANGING = 10.0, 3.0  # s and times of what a test takes without a mutant: it hangs
 AMISS = 0.05  # of the tests, that may count sweeps or steps which rounding changes
 COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compiled
 
@@ -76,9 +76,8 @@ class Asked:
 
     def red_of(self, mutant: Mutant, number: int) -> str | None:
         """The test that sees it, if any."""
-        tests = self.tests(mutant)
-        limit = SPARE + HANGING * sum(self.seconds[one] for one in tests)
-        return self.collected.red_with(tests, limit, functools.partial(switch_on, number))
+        limits = {one: SPARE + HANGING * self.seconds[one] for one in self.tests(mutant)}
+        return self.collected.red_with(limits, functools.partial(switch_on, number))
 
 
 def switch_on(number: int) -> None:

@@ -33,7 +33,7 @@ from bench.mutation.schemata import copied
 APART = {"engines", "references", "cases", "bench", "support", "scenes", "__pycache__"}
 NEEDS = ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib")
 LONGEST = 120.0  # s that the tests may take which one mutant is put to, without it
-SPARE, HANGING = 30.0, 5.0  # s and times of what tests take without a mutant: it hangs
+SPARE, HANGING = 30.0, 5.0  # s and times of what a test takes without a mutant: it hangs
 
 
 class Asked:
@@ -76,7 +76,7 @@ class Asked:
         try:
             rewrite(place, mutant.text())
             while tests:
-                red = collected.red_of(tests, self._limit(tests), mutant)
+                red = collected.red_of(self._limits(tests), mutant)
                 if red not in self.seconds:
                     return red
                 rewrite(place, (ROOT / mutant.file).read_text())
@@ -91,7 +91,7 @@ class Asked:
     def green(self, collected: Collected, test: str) -> bool:
         """Whether a test is green without a mutant, now too."""
         if test not in self._green:
-            self._green[test] = collected.red_of([test], self._limit([test]), None) is None
+            self._green[test] = collected.red_of(self._limits([test]), None) is None
         return self._green[test]
 
     def red_on_import(self, mutant: Mutant) -> str | None:
@@ -104,8 +104,8 @@ class Asked:
             rewrite(place, (ROOT / mutant.file).read_text())
         return "when imported" if red else None
 
-    def _limit(self, tests: Sequence[str]) -> float:
-        return SPARE + HANGING * sum(self.seconds[one] for one in tests)
+    def _limits(self, tests: Sequence[str]) -> dict[str, float]:
+        return {one: SPARE + HANGING * self.seconds[one] for one in tests}
 
 
 def seen(

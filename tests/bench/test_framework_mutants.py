@@ -1,6 +1,9 @@
 """The bench of mutants of the framework: what it turns, what it asks, and how it puts one in."""
 
 import gc
+import os
+import signal
+import time
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -124,3 +127,24 @@ def test_a_record_holds_as_long_as_the_files_are_those_of_the_copy_it_was_made_i
     assert Record({}, {}, {FILE: digest(FILE, tmp_path)}).holds
     (tmp_path / FILE).write_text("edited while it was recorded")
     assert not Record({}, {}, {FILE: digest(FILE, tmp_path)}).holds
+
+
+def test_each_test_has_a_time_of_its_own_after_which_it_hangs() -> None:
+    """Slow tests before it leave one without end no more than its own."""
+    spent = {"slow": 0.3, "endless": 600.0, "never": 0.0}
+    whole = Collected(ROOT, lambda _: None)
+
+    def run(item: Any, nextitem: Any) -> None:
+        until = time.process_time() + spent[item.name]
+        while time.process_time() < until:
+            pass
+
+    config = SimpleNamespace(hook=SimpleNamespace(pytest_runtest_protocol=run))
+    whole.tests = {
+        name: cast(pytest.Item, SimpleNamespace(name=name, config=config)) for name in spent
+    }
+    assert whole.red_with({"slow": 0.6, "never": 0.1}, lambda: None) is None
+    before = sum(os.times()[2:4])
+    limits = {"slow": 5.0, "endless": 0.2, "never": 5.0}
+    assert whole.red_with(limits, lambda: None) == f"ends with {signal.SIGPROF}"
+    assert sum(os.times()[2:4]) - before < 1.0
