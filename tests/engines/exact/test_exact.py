@@ -10,6 +10,7 @@ import pytest
 from cases.contact.single_contact import CASE
 from tests.scenes.blocks.exact_slides import apart
 from tests.scenes.event_located import event_located
+from tests.scenes.other_worlds import rescaled
 from tests.scenes.small_scenes import DOWN, FLOOR, KINDS, ball, crowded, small_scene
 from vv.ask import Ask, Displacement, History, Run, Status, Velocity
 from vv.engines.exact import Path as Motion
@@ -124,6 +125,19 @@ def test_the_random_scenes_open_close_stick_and_slip() -> None:
     assert {(slip, State.STUCK) for slip in slips} < seen
     assert {(slip, State.OPEN) for slip in slips} < seen
     assert {(State.STUCK, State.PARTED), (State.PARTED, State.OPEN)} < seen
+
+
+@pytest.mark.parametrize("units", [(2.0**-30, 1.0, 1.0), (2.0**20, 2.0**-10, 2.0**15)])
+def test_events_know_no_unit(units: tuple[float, float, float]) -> None:
+    """Units that are powers of two change no rounding, and a margin in m, s or kg would."""
+    for seed in SOME:
+        scene, time = small_scene(seed), units[1]
+        path = motion(scene, DURATION)
+        other = motion(rescaled(scene, *units), time * DURATION)
+        assert [event.after for event in other.events] == [event.after for event in path.events]
+        assert [e.time for e in other.events] == [time * e.time for e in path.events], (
+            f"seed {seed}"
+        )
 
 
 def test_a_contact_that_parted_pushes_again_before_it_was_open() -> None:
