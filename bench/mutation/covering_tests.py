@@ -27,7 +27,7 @@ source = {sources}
 omit = */vv/engines/*
 """
 HOOK = "import coverage\ncoverage.process_startup()\n"
-SOURCES = ("vv", "adapters", "reports")
+SOURCES = ("vv", "adapters", "reports", "reference_solutions")
 KEPT = ROOT / ".vv" / "mutants" / "covering"
 LONGEST = 300.0  # s of CPU time in a process that a file of tests may take
 

@@ -4,7 +4,8 @@
 engines; `--files 'vv/gate/*'` some, `--each N` at most N a file, `--sample N` so many of all, the
 same number in every layer as far as it goes, fixed random choices; with `--seed K` they are drawn
 from all places alike, so that what survives of them is an estimate for the whole, with its
-confidence. A mutant is put to the tests that run its line, those of its own folder first, then the
+confidence. `--part references` turns the reference solutions, and asks the tests of references. A
+mutant is put to the tests that run its line, those of its own folder first, then the
 quickest, until one is red that is green without it; then to the others of their files. What is
 turned where a file is imported, or no test runs, is put to tests that run anything of the file.
 `equivalent.txt` names mutants that behave as the original does, which do not count.
@@ -16,7 +17,7 @@ import json
 import os
 import tempfile
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,7 @@ from bench.evidence import conclude
 from bench.mutation.collected_tests import Collected, collected, fitting
 from bench.mutation.covering_tests import records, told_of
 from bench.mutation.forked_tests import passes, rewrite, with_tests
-from bench.mutation.framework_sites import EVERY, Mutant, drawn, uniform
+from bench.mutation.framework_sites import EVERY, PARTS, Mutant, drawn, uniform
 from bench.mutation.mutants import ROOT
 from bench.mutation.schemata import copied
 
@@ -138,11 +139,12 @@ def _said(mutant: Mutant, by: str | None) -> str:
     return by or ""
 
 
-def folders() -> Iterator[str]:
-    """Where the tests lie that are asked: the framework's own."""
-    for path in sorted((ROOT / "tests").iterdir()):
-        if path.is_dir() and path.name not in APART:
-            yield f"tests/{path.name}"
+def folders(part: str) -> list[str]:
+    """Where the tests lie that are asked: the framework's own, or those of another part."""
+    if part != "framework":
+        return [f"tests/{part}"]
+    paths = sorted(path for path in (ROOT / "tests").iterdir() if path.is_dir())
+    return [f"tests/{path.name}" for path in paths if path.name not in APART]
 
 
 def survival(left: int, of: int) -> dict[str, Any]:
@@ -154,26 +156,28 @@ def survival(left: int, of: int) -> dict[str, Any]:
 def main() -> None:
     """Turn, ask, count and judge."""
     parser = argparse.ArgumentParser()
+    parser.add_argument("--part", default="framework", choices=PARTS, help="what is turned")
     parser.add_argument("--files", default="*", help="such as 'vv/gate/*'")
     parser.add_argument("--only", default="", help="words in what is turned")
     parser.add_argument("--each", type=int, default=1000, help="mutants a file")
     parser.add_argument("--sample", type=int, default=EVERY, help="mutants in all")
     parser.add_argument("--seed", type=int, help="drawn from all places alike, with this seed")
-    parser.add_argument("--tests", nargs="+", default=[*folders()], help="folders of tests")
+    parser.add_argument("--tests", nargs="+", help="folders of tests, in place of a part's own")
     parser.add_argument("--longest", type=float, default=LONGEST, help="s of tests a mutant")
     options = parser.parse_args()
     os.nice(10)
     for name in NEEDS:
         importlib.import_module(name)
     every = (
-        drawn(options.files, options.each, options.sample)
+        drawn(options.files, options.each, options.sample, options.part)
         if options.seed is None
-        else uniform(options.files, options.sample, options.seed)
+        else uniform(options.files, options.sample, options.seed, options.part)
     )
     every = [one for one in every if options.only in one.what]
     with tempfile.TemporaryDirectory() as folder:
         copied(Path(folder), with_tests())
-        told = seen(every, Path(folder), options.tests, options.longest)
+        tests = options.tests or folders(options.part)
+        told = seen(every, Path(folder), tests, options.longest)
     left = [one for one, by in told.items() if not by]
     layers = Counter(Path(one.file).parent.as_posix() for one in told)
     figures = {

@@ -17,6 +17,7 @@ LAYERS = (
     "vv/output", "vv/plan", "vv/records", "vv/run", "vv/scene", "vv/standins", "vv/store",
     "adapters", "reports",
 )  # fmt: skip
+PARTS = {"framework": LAYERS, "references": ("reference_solutions",)}
 EVERY = 10**6  # more than there are
 SWAPS: dict[type, type] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
@@ -92,18 +93,18 @@ def turnable(file: str) -> list[Mutant]:
     return [Mutant(file, place) for place in _sites(file)]
 
 
-def drawn(files: str, each: int, sample: int) -> list[Mutant]:
+def drawn(files: str, each: int, sample: int, part: str = "framework") -> list[Mutant]:
     """Mutants in a random order that goes through the layers in turn, at most so many."""
-    piles = [list(mutants(layer, files, each)) for layer in LAYERS]
-    for layer, pile in zip(LAYERS, piles, strict=True):
+    piles = [list(mutants(layer, files, each)) for layer in PARTS[part]]
+    for layer, pile in zip(PARTS[part], piles, strict=True):
         random.Random(layer).shuffle(pile)
     turns = itertools.zip_longest(*piles)
     return [one for turn in turns for one in turn if one is not None][:sample]
 
 
-def uniform(files: str, sample: int, seed: int) -> list[Mutant]:
-    """So many mutants, each place that can be turned being as likely as any other."""
-    every = [one for layer in LAYERS for one in mutants(layer, files, EVERY)]
+def uniform(files: str, sample: int, seed: int, part: str = "framework") -> list[Mutant]:
+    """So many mutants, each place of a part that can be turned being as likely as any other."""
+    every = [one for layer in PARTS[part] for one in mutants(layer, files, EVERY)]
     return random.Random(seed).sample(every, min(sample, len(every)))
 
 

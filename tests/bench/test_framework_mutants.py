@@ -12,7 +12,7 @@ import pytest
 
 from bench.mutation.collected_tests import Collected, forked
 from bench.mutation.covering_tests import Record, digest
-from bench.mutation.framework_mutants import LONGEST, Asked
+from bench.mutation.framework_mutants import LONGEST, Asked, folders
 from bench.mutation.framework_sites import (
     EVERY,
     LAYERS,
@@ -62,6 +62,14 @@ def test_a_mutant_that_is_known_as_equivalent_is_there_with_a_reason_and_is_not_
     assert equivalents().keys() <= {one.key for file in files for one in turnable(file)}
     assert not equivalents().keys() & {one.key for one in uniform("*", EVERY, 1)}
     assert all(why.strip() for why in equivalents().values())
+
+
+def test_references_are_a_part_of_their_own_that_their_tests_are_asked_of() -> None:
+    found = uniform("*", 50, 1, "references")
+    assert {one.file.partition("/")[0] for one in found} == {"reference_solutions"}
+    assert folders("references") == ["tests/references"]
+    assert not {"tests/references", "tests/engines"} & {*folders("framework")}
+    assert "tests/gate" in folders("framework")
 
 
 OWN, FAR = "tests/gate/test_judgement.py", "tests/output/test_rows.py"
