@@ -1,9 +1,9 @@
 """Solves an ask with Kratos' DEM application: spheres on springs or by Hertz, velocity Verlet.
 
-An ask is what `adapters.kratos.plan` writes. Kratos derives masses from densities: here each sphere
-gets its mass and inertia after that, and weight and loads as one force. Its solver is called step
-by step, without what its analysis stage does besides. The force at the start is stated, since the
-first half step would otherwise have none.
+The input is what `adapters.kratos.plan` writes. Kratos derives masses from densities; here each
+sphere then gets its mass and inertia, and its weight and loads as one force. The solver is called
+step by step, without the other parts of Kratos' analysis stage. The force at t = 0 is set
+explicitly, since the first half step would otherwise have none.
 """
 
 import json
@@ -191,13 +191,13 @@ def mdpa(body: str) -> str:
 
 
 def block(name: str, lines: list[str]) -> str:
-    """A block of lines in a file of Kratos."""
+    """A block of lines in a file of Kratos, with its name."""
     kind = name.split(maxsplit=1)[0]
     return "\n".join([f"Begin {name}", *lines, f"End {kind}", ""])
 
 
 def spheres(bodies: list[Plan]) -> str:
-    """Nodes, elements and radii of the spheres."""
+    """The nodes, elements and radii of the spheres, in Kratos' format."""
     numbers = [str(number) for number in range(1, len(bodies) + 1)]
     places = [
         f"{k} {' '.join(map(repr, body['position']))}"
@@ -215,7 +215,7 @@ def spheres(bodies: list[Plan]) -> str:
 
 
 def walls(corners: list[list[list[float]]]) -> str:
-    """A rigid face of four corners for each wall."""
+    """The rigid faces of the walls, of four corners each, in Kratos' format."""
     if not corners:
         return ""
     nodes, faces, parts = [], [], ""

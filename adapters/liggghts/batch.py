@@ -42,13 +42,13 @@ class Batch:
     executable: str
 
     def only(self, indices: Sequence[int]) -> Batch:
-        """The batch of some of them."""
+        """A batch with some of the setups only."""
         some = [self.setups[i] for i in indices], [self.models[i] for i in indices]
         return Batch(*some, self.scratch, self.executable)
 
 
 def solved(batch: Batch) -> Iterator[Run]:
-    """The answers to all asks, with the cost of the one solve that gave them."""
+    """The answers to all asks, each with the cost of the solve that gave it."""
     first: dict[external.Process, int] = {}  # the ask whose cost includes the program's start-up
     setups, scratch = batch.setups, batch.scratch
 

@@ -56,7 +56,7 @@ def _run(setup: Setup) -> str:
 
 
 def _prepared(setup: Setup) -> Iterator[str]:
-    """Everything up to the first step."""
+    """The commands up to the first step."""
     sections: Deck = translated(setup)
     yield DOMAIN.format(style=sections.style)
     yield from sections.box

@@ -19,7 +19,7 @@ GROUPS = 32 - 3  # LIGGGHTS has 32; decks use all, shifted and turned otherwise
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:
-    """The first reason that holds, else None."""
+    """The first reason to refuse the ask; None if there is none."""
     reason = why_no_clump(ask) if scheme == CLUMP else why_no_spring_scene(ask)
     if reason is not None:
         return reason
@@ -62,7 +62,7 @@ def _nothing_free(scene: Scene) -> str | None:
 
 
 def _spin(scene: Scene, scheme: str) -> str | None:
-    """fix nve/sphere turns all three axes or none, with the inertia 2/5 m r2."""
+    """Why rotation is refused: fix nve/sphere has three axes or none, and the inertia 2/5 m r2."""
     spheres, turning = scene.spheres, scene.spheres.free_spin.any(axis=1)
     if not turning.any():
         return None

@@ -45,18 +45,18 @@ class Setup:
 
     @property
     def terms(self) -> frozenset[Term]:
-        """The terms of the ask's scene, and those by which some of them are represented."""
+        """The terms of the ask's scene, and those that represent some of them."""
         overlaps = self.scheme == OVERLAPPED
         return self.ask.scene.terms() | (self.scene if overlaps else self.released).terms()
 
     @functools.cached_property
     def turning(self) -> Mask:
-        """Which spheres are integrated with rotations, (n,)."""
+        """A mask (n,) of the spheres whose rotations are integrated."""
         return np.asarray(self.spheres.free_spin.any(axis=1))
 
     @functools.cached_property
     def moving(self) -> Mask:
-        """Which spheres are integrated at all, (n,)."""
+        """A mask (n,) of the spheres that are integrated at all."""
         return np.asarray(self.spheres.free.any(axis=1)) | self.turning
 
     @functools.cached_property

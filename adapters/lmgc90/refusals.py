@@ -15,7 +15,7 @@ ALIKE = 1e-9  # relative tolerance of masses and inertias
 
 
 def refusal(ask: Ask) -> str | None:
-    """The first reason that holds, else None."""
+    """The first reason to refuse the ask; None if there is none."""
     return why_no_boxes(ask) or _spins(ask.scene) or _densities(ask.scene) or _faces(ask.scene)
 
 
@@ -63,7 +63,7 @@ def _faces(scene: Scene) -> str | None:
 
 
 def _on_wall(block: Block, wall: Wall) -> str | None:
-    """Why a block does not stand on a wall with a face; None if it does, or is above it."""
+    """Why a block does not stand on a wall with a face; None if it does, or is above the wall."""
     gap = (block.vertices - wall.point) @ wall.normal
     size = _size(block)
     feet = block.vertices[np.abs(gap) < TOUCHING * size]

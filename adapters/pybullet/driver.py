@@ -57,11 +57,11 @@ class Base:
         self.start = np.array(swung(self.sines, 0.0))
 
     def moved(self, t: float) -> np.ndarray:
-        """Its displacement (3,) [m] since t = 0."""
+        """The displacement (3,) [m] of the wall since t = 0."""
         return np.asarray(np.array(swung(self.sines, t)) - self.start)
 
     def velocity(self, t: float) -> np.ndarray:
-        """Its velocity (3,) [m/s]."""
+        """The velocity (3,) [m/s] of the wall."""
         return np.array(swung(self.sines, t, 1))
 
 

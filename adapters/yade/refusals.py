@@ -23,7 +23,7 @@ NO_BLOCK: Mapping[str, Callable[[Ask], str | None]] = {
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:
-    """The first reason that holds, else None."""
+    """The first reason to refuse the ask; None if there is none."""
     reason = NO_BLOCK.get(scheme, why_no_spring_scene)(ask)
     if reason is not None:
         return reason

@@ -44,7 +44,7 @@ class Setup:
 
     @property
     def terms(self) -> frozenset[Term]:
-        """The terms of the ask's scene, and of what stands in for some of them."""
+        """The terms of the ask's scene, and those that represent some of them."""
         return self.asked.scene.terms() | self.scene.terms()
 
 

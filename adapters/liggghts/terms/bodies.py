@@ -11,9 +11,10 @@ from vv.scene import Mask
 
 
 def block(deck: Deck, setup: Setup) -> Deck:
-    """The atoms of each block moved as one rigid body, with its degrees of freedom.
+    """The atoms of each block, moved as one rigid body with its degrees of freedom.
 
-    That stands last: its first half step sees the forces of the fixes before it only.
+    These commands come last, since the first half step uses only the forces of the fixes before
+    them.
     """
     if not setup.clumps:
         return deck

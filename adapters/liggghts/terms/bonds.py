@@ -24,10 +24,10 @@ LASTING = {
 
 
 def harmonic(deck: Deck, setup: Setup) -> Deck:
-    """Bonds without shear springs; a scheme may have contacts stand in for bonds instead.
+    """Bonds without shear springs; in one scheme, contacts represent bonds instead.
 
-    No command makes bonds by name: a data file holds the box, the spheres and their bonds. Sizes
-    and masses are set later, as for spheres without.
+    No command creates single bonds: a data file holds the box, the spheres and their bonds. Sizes
+    and masses are set later, as for spheres without bonds.
     """
     if setup.scene.bonds is None:
         note = (
@@ -50,7 +50,7 @@ def harmonic(deck: Deck, setup: Setup) -> Deck:
 
 
 def _springs(scene: Scene) -> Iterator[str]:
-    """A harmonic bond holds the energy K (L - length)^2, so K is kn/2."""
+    """The coefficients of harmonic bonds: their energy is K (L - length)^2, so K is kn/2."""
     yield "pair_style      none"
     yield "bond_style      harmonic"
     for number, (kn, length) in enumerate(_kinds(scene)[0].tolist()):
@@ -69,7 +69,7 @@ def why_not_harmonic(scene: Scene) -> str | None:
 
 
 def _kinds(scene: Scene) -> tuple[Vector, npt.NDArray[np.intp]]:
-    """The different (kn, length) of the bonds, (k, 2), and which of them each bond has, (b,)."""
+    """The distinct (kn, length) of the bonds, (k, 2), and the kind of each bond, (b,)."""
     assert scene.bonds is not None
     both = np.column_stack([scene.bonds.kn, scene.bonds.length])
     kinds, which = np.unique(both, axis=0, return_inverse=True)

@@ -13,7 +13,7 @@ UNCOUNTED, COUNTED = "charging shear springs", "shear springs are charged"
 
 
 def friction(deck: Deck, setup: Setup) -> Deck:
-    """A shear spring ks [N/m] capped by Coulomb friction."""
+    """A shear spring ks [N/m], limited by Coulomb friction."""
     contact = setup.scene.contact
     springs = {**deck.law.properties, "kt": contact.ks, "coefficientFriction": contact.mu}
     law = replace(deck.law, properties=springs, tangential="history")
@@ -49,9 +49,9 @@ def charged(deck: Deck, setup: Setup) -> Deck:
 
 
 def _charging(setup: Setup) -> Iterator[str]:
-    """A step in which spheres slide to their initial positions, with their walls at rest.
+    """A step before t = 0 in which spheres slide to their initial positions, with walls at rest.
 
-    It puts into shear springs what they hold at t = 0, which no command can; then time starts.
+    It gives shear springs their force at t = 0, for which there is no command.
     """
     yield f'print "{UNCOUNTED}"'
     yield group("slid", list(setup.slides))

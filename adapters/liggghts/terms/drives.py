@@ -71,7 +71,7 @@ def _move(name: str, motion: Harmonic, dt: float) -> Iterator[str]:
 def _variables(
     name: str, motion: Harmonic, factor: float, function: str, time: str, dt: float | None = None
 ) -> Iterator[str]:
-    """Variables name_x, name_y, name_z: factor times a sum of sines, or of their means over dt."""
+    """Variables name_x, name_y, name_z: factor times a sum of sines, or of means over a step."""
     parts: dict[str, list[str]] = {axis: [] for axis in AXES}
     for along, f, phase in motion.sines():
         scale = factor if dt is None else 2 * float(np.sin(np.pi * f * dt)) / dt

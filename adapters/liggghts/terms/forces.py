@@ -33,9 +33,9 @@ def gravity(deck: Deck, setup: Setup) -> Deck:
 
 
 def dead_loads(deck: Deck, setup: Setup) -> Deck:
-    """A group and a constant force for each different load; of many, a property of atoms.
+    """A group and a constant force for each distinct load; for many loads, a property of atoms.
 
-    There are few groups. Such a property can be set only after a run of no steps.
+    LIGGGHTS has few groups. The property can be set only after a run of no steps.
     """
     if len(setup.loads) <= FEW:
         return deck.with_more(forces=_loads(setup))

@@ -23,7 +23,7 @@ HELD = (
 
 
 def elastic(deck: Deck, setup: Setup) -> Deck:
-    """Effective moduli in place of springs, which the term of friction has already set."""
+    """Effective moduli in place of the spring stiffnesses that the term of friction has set."""
     contact = setup.scene.contact
     if contact.hertz is None:
         return deck

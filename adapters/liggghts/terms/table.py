@@ -1,4 +1,4 @@
-"""Which function translates which term for LIGGGHTS: a new term is a function and a line."""
+"""The table of the functions that translate terms for LIGGGHTS: a new term adds one line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Assembles the engines of a YADE step: contacts, drag and motion, as far as a scene has them."""
+"""Assembles the engines of a YADE step: contacts, drag and motion, as the scene needs them."""
 
 import math
 from typing import Any
@@ -8,7 +8,7 @@ from adapters.yade.inside.session import yd
 
 
 def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
-    """The engines of a YADE step: contacts, drag and motion, as far as a scene has them."""
+    """The engines of a YADE step: contacts, drag and motion, as the scene needs them."""
     return [
         yd.ForceResetter(),
         *pulse_end(ask),

@@ -124,7 +124,7 @@ def locked(body: dict[str, Any], force: Any) -> list[float]:
 
 
 def check_contacts(ask: dict[str, Any]) -> None:
-    """Refuse a run in which YADE missed a contact that overlaps at the start."""
+    """Reject a run in which YADE missed a contact that overlaps at the start."""
     seen = O.interactions.countReal()
     if seen < ask["contacts"]:
         raise RunError("error", f"YADE found {seen} of {ask['contacts']} contacts at the start")

@@ -16,7 +16,7 @@ def times_vector(matrix: Vector, a: Triple) -> Triple:
 
 @lent
 def moment_product(second: Vector, one: Vector, two: Vector) -> float:
-    """tr(one second two^T) of slopes (3, 3): the integral of rho (one r) . (two r) [kg m2]."""
+    """The integral of rho (one r) . (two r) [kg m2]: tr(one second two^T) of slopes (3, 3)."""
     total = 0.0
     for r in range(3):
         total += dot(times_vector(second, at(one, r)), at(two, r))
@@ -25,7 +25,7 @@ def moment_product(second: Vector, one: Vector, two: Vector) -> float:
 
 @called
 def congruent(out: Vector, whole: Vector, second: Vector) -> None:
-    """out = whole second whole^T, all (3, 3); out may be second, which is symmetric."""
+    """Fill out (3, 3) with whole second whole^T; out may be second, which is symmetric."""
     half = rows(3)
     for r in range(3):
         put(half, r, times_vector(whole, at(second, r)))

@@ -78,7 +78,7 @@ def damping_at(law: Elastic, before: float, overlap: float, radius: float, mass:
 def viscosity(
     modulus: float, damping: float | None, overlap: float, radius: float, mass: float
 ) -> float:
-    """2 z sqrt(m kn) [N s/m]; 0 without damping."""
+    """The damping coefficient 2 z sqrt(m kn) [N s/m]; 0 without damping."""
     if damping is not None:
         return 2.0 * damping * math.sqrt(mass * 2.0 * modulus * math.sqrt(radius * overlap))
     return 0.0
@@ -103,7 +103,7 @@ def shear_stiffness(
     The mean is over the part of the step in which the contact was closed, with U linear in time.
     The stiffness at the end of the step would make the force first order in dt.
     """
-    (shear, mu), overlap = law.friction, touch.overlap  # type: ignore[misc]  # called with friction only
+    (shear, mu), overlap = law.friction, touch.overlap  # type: ignore[misc]  # has friction
     before = max(overlap + touch.opened, 0.0)
     now, then = math.sqrt(overlap), math.sqrt(before)
     mean = 2.0 / 3.0 * (overlap + now * then + before) / (now + then)

@@ -46,7 +46,7 @@ def shear_stiffness(
     law: Linear, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, tuple[float, float]]:
     """The tangential stiffness ks [N/m], and the limits mu Fn [N] before and after the step."""
-    ks, mu = law.friction  # type: ignore[misc]  # called with friction only
+    ks, mu = law.friction  # type: ignore[misc]  # has friction
     return ks, friction_limits(law.kn, mu, law.eta_n, touch, spring)
 
 

@@ -1,4 +1,4 @@
-"""Constant forces: gravity and dead loads."""
+"""The term for constant forces: gravity and dead loads."""
 
 from __future__ import annotations
 

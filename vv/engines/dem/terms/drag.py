@@ -44,7 +44,7 @@ def resistance(term: Drag) -> Drag:
 
 @inlined
 def add_steady(a: Triple, scale: float, steady: Vector | None, i: int) -> Triple:
-    """a + scale times the steady velocity of body i."""
+    """The vector a plus `scale` times the steady velocity of body i."""
     if steady is None:
         return a
     if len(steady) == 0:

@@ -1,4 +1,4 @@
-"""All terms that the general model knows, in the order in which their forces are added up."""
+"""The list of all terms of the general model, in the order in which their forces are added."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Contacts of spheres with walls."""
+"""The term for contacts of spheres with walls."""
 
 from __future__ import annotations
 
