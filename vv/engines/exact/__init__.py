@@ -28,8 +28,9 @@ from vv.engines.exact.slide.system import (
 )
 from vv.engines.exact.stopped import StoppedError
 from vv.engines.exact.system import System, assemble, describe
+from vv.engines.exact.turn.flow import TurningFlow
 from vv.engines.exact.turn.ledger import turn_ledger
-from vv.engines.exact.turn.path import Turn, TurningFlow
+from vv.engines.exact.turn.path import Turn
 from vv.scene import Scene
 from vv.standins.penalty_springs import as_spheres
 

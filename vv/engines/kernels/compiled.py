@@ -62,7 +62,15 @@ def compiled_to_branch(function: Kernel) -> Kernel:
     Its loops are not unrolled, which would take a tenth of the time of compiling. They are
     vectorised: without that, sweeps over the contacts of many blocks take twice as long.
     """
-    return cast(Kernel, Deferred(function, functools.partial(whole, branches=True)))
+    return cast(Kernel, Deferred(function, functools.partial(whole, compiler="BranchingCompiler")))
+
+
+def compiled_to_join(function: Kernel) -> Kernel:
+    """The same as `compiled`, for a kernel with lines that do the same to neighbours in memory.
+
+    Such lines are vectorised too, whereas numba vectorises loops alone.
+    """
+    return cast(Kernel, Deferred(function, functools.partial(whole, compiler="JoiningCompiler")))
 
 
 def inlined(function: Kernel) -> Kernel:
@@ -119,19 +127,19 @@ def shared(function: Kernel) -> Kernel:
     return cast(Kernel, Deferred(function, wrap))
 
 
-def whole(function: Kernel, branches: bool = False) -> Any:
-    """The function as wrapped by numba, to be called from Python; branches: its loops are short."""
+def whole(function: Kernel, compiler: str = "WholeCompiler") -> Any:
+    """The function as wrapped by numba, to be called from Python; compiler: a class in `parts`."""
     import numba
 
-    from vv.engines.kernels.compiler.parts import BranchingCompiler, WholeCompiler
+    from vv.engines.kernels.compiler import parts
 
     config: Any = numba.config
     before = config.CACHE_DIR
     folder = cache_folder(Path(function.__code__.co_filename))
     config.CACHE_DIR = str(folder)  # numba reads it once, when it wraps a function
     try:
-        compiler = BranchingCompiler if branches else WholeCompiler
-        kernel: Any = numba.njit(cache=True, pipeline_class=compiler, **ENTRY, **ROUNDING)(function)
+        made_by = getattr(parts, compiler)
+        kernel: Any = numba.njit(cache=True, pipeline_class=made_by, **ENTRY, **ROUNDING)(function)
     finally:
         config.CACHE_DIR = before
     kernel.compile = once(kernel.compile, folder / function.__name__)

@@ -5,24 +5,24 @@ from __future__ import annotations
 import numpy as np
 
 from vv.ask import Ledger
-from vv.engines.exact.ledger import derivative, product_integral
+from vv.engines.exact.ledger import derivative
 from vv.engines.exact.path import taylor_sum
 from vv.engines.exact.slide.ledger import ledger_on_wall
 from vv.engines.exact.slide.system import forces, ground
 from vv.engines.exact.turn.path import Turn
-from vv.engines.exact.turn.series import ORDER
 from vv.scene import Vector
+
+NODES = 14  # of Gauss in a piece, which is a small part of its radius of convergence: to rounding
 
 
 def turn_ledger(path: Turn) -> Ledger:
     """Energies at the end of a slip that turns, with the terms of `slide_ledger`."""
     slider = path.slider
-    place, rate = taylor_sum(path.series, path.end)
-    times = np.append(path.start, path.start[-1] + path.end[-1] * path.h[-1])
-    place = np.vstack((np.zeros((1, 2)), place))
-    rate = np.vstack((slider.slip, rate / path.h[:, None]))
-    displacement, velocity = path.motion_in_space(place, rate, times)
-    return ledger_on_wall(slider, displacement, velocity, _works(path))
+    curve, rate = taylor_sum(path.series, path.end)
+    times = np.append(path.start, path.start[-1] + curve[-1, 2])
+    place = np.vstack((np.zeros((1, 2)), curve[:, :2]))
+    velocity = np.vstack((slider.slip, rate[:, :2] / rate[:, 2:]))
+    return ledger_on_wall(slider, *path.motion_in_space(place, velocity, times), _works(path))
 
 
 def _works(path: Turn) -> tuple[Vector, Vector, Vector]:
@@ -30,34 +30,21 @@ def _works(path: Turn) -> tuple[Vector, Vector, Vector]:
 
     The contact force over the mass is the acceleration less that of all other forces.
     """
-    slider = path.slider
-    per_time = 1 / path.h[:, None, None]
-    slip = per_time * derivative(path.series) @ slider.axes
-    accelerated = per_time * derivative(per_time * derivative(path.series)) @ slider.axes
-    wall = per_time * derivative(_series(path, np.vstack((np.zeros(3), slider.base))))
-    shaken = _series(path, np.vstack((np.zeros(3), slider.shaking)))
-    push = accelerated + _series(path, ground(slider) - forces(slider))
-    return (
-        _integral(path, -push, slip),
-        _integral(path, shaken, slip + wall),
-        _integral(path, push, wall),
-    )
-
-
-def _series(path: Turn, row: Vector) -> Vector:
-    """Taylor coefficients (p, ORDER + 1, 3) of row[0] + row[1:] @ sines, row (1 + k, 3)."""
-    slider, rank = path.slider, np.arange(ORDER + 1)
-    omega = 2 * np.pi * slider.frequency
-    angle = np.outer(path.start, omega) + slider.phase
-    quarter = np.sin(angle[:, None] + np.pi / 2 * (rank[:, None] % 4))
-    growth = np.cumprod(np.maximum(rank, 1).astype(float))[:, None]
-    size = (path.h[:, None, None] * omega) ** rank[:, None] / growth
-    series = (quarter * size) @ row[1:]
-    series[:, 0] += row[0]
-    return np.asarray(series)
-
-
-def _integral(path: Turn, force: Vector, velocity: Vector) -> Vector:
-    """Mass times the integral of a product over each piece, (p,) [J]."""
-    work = product_integral(path.end, force, velocity).sum(axis=1)
-    return np.asarray(path.slider.mass * path.h * work)
+    slider, nodes = path.slider, np.polynomial.legendre.leggauss(NODES)
+    works = np.zeros((3, len(path)))
+    for node, weight in zip(*nodes, strict=True):
+        x = path.end * (1 + node) / 2
+        curve, rate = taylor_sum(path.series, x)
+        bend = taylor_sum(derivative(path.series), x)[1]
+        slip, way, passed = rate[:, :2] @ slider.axes, rate[:, :2] / rate[:, 2:], rate[:, 2:]
+        accelerated = (bend[:, :2] - way * bend[:, 2:]) / passed**2 @ slider.axes
+        angle = np.outer(path.start + curve[:, 2], 2 * np.pi * slider.frequency) + slider.phase
+        wall = passed * (np.cos(angle) @ (2 * np.pi * slider.frequency[:, None] * slider.base))
+        sines = np.hstack((np.ones((len(path), 1)), np.sin(angle)))
+        push = accelerated + sines @ (ground(slider) - forces(slider))
+        shaken = sines[:, 1:] @ slider.shaking
+        powers = ((-push, slip), (shaken, slip + wall), (push, wall))
+        share = slider.mass * weight * path.end / 2
+        works += [share * (force * moved).sum(axis=1) for force, moved in powers]
+    friction, shaking, base = works
+    return friction, shaking, base

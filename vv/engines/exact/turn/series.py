@@ -1,4 +1,4 @@
-"""Taylor series of a slip that turns: of its drive, of a step, and of its start from rest."""
+"""Taylor series in time of a slip that turns: of its drive, and of its start from rest."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from vv.scene import Vector
 GRID = 2.0**20  # 1/s: what a time is more than a multiple of 1/GRID is kept apart
 ORDER = 28  # of the series of the place; that of the velocity is one less
 OVER = 1.0 / np.arange(1, ORDER + 2)  # over n + 1, which would be a division for each coefficient
-SERIES = 8  # that `expand_slip` works with
 REACH = 0.23  # (1e-17)^(1/27): of the radius of convergence, so that the last term is rounding
 
 
@@ -44,52 +43,6 @@ def expand_drive(rows: Vector, sines: Vector, t: float, h: float, out: Vector) -
             for r in range(3):
                 out[r, n] += rows[r, 1 + i] * value
             size *= turn * OVER[n]
-
-
-@lent
-def expand_slip(drive: Vector, h: float, w: Vector, work: Vector) -> None:
-    """Coefficients (2, ORDER) of w' = T - F w/|w| from those at its start, w[:, 0] [m/s].
-
-    drive: (3, ORDER + 1) those of T and F [m/s2]; work: (SERIES, ORDER). A coefficient is added to
-    all that it is a factor of as soon as it is known: such sums need not wait for one another, as
-    the terms of one product would. For this reason it is one loop in one function.
-    """
-    x, y, last = w[0], w[1], w.shape[1] - 1
-    square, inverse, pull = work[0], work[1], work[2]  # |w|^2, 1/|w| and F/|w|
-    risen, fallen, whole = work[3], work[4], work[5]  # n/2 of the first, n and sums of the second
-    along, across = work[6], work[7]
-    for n in range(last):
-        square[n] = whole[n] = pull[n] = 0.0
-        along[n], across[n] = drive[0, n], drive[1, n]
-    inverse[0] = 1 / math.sqrt(x[0] * x[0] + y[0] * y[0])
-    scale = inverse[0] * inverse[0]
-    for n in range(last):
-        both = min(n, last - n)  # so many coefficients before this one make a product that counts
-        a, b = 2 * x[n], 2 * y[n]
-        for i in range(both):
-            square[n + i] += a * x[i] + b * y[i]
-        if 2 * n < last:
-            square[2 * n] += x[n] * x[n] + y[n] * y[n]
-        s = square[n]
-        risen[n] = 0.5 * n * s
-        for i in range(both):  # q = s^(-1/2) obeys 2 s q' = -s' q
-            whole[n + i] += risen[n] * inverse[i] + s * fallen[i]
-        if n > 0:
-            inverse[n] = -scale * OVER[n - 1] * whole[n]
-        q = inverse[n]
-        fallen[n] = n * q
-        for i in range(1, min(n + 1, last - n)):
-            whole[n + i] += q * risen[i] + fallen[n] * square[i]
-        for i in range(last - n):
-            pull[n + i] += q * drive[2, i]
-        p, u, v = pull[n], x[n], y[n]
-        for i in range(both):
-            along[n + i] -= p * x[i] + u * pull[i]
-            across[n + i] -= p * y[i] + v * pull[i]
-        if 2 * n < last:
-            along[2 * n] -= p * u
-            across[2 * n] -= p * v
-        x[n + 1], y[n + 1] = h * OVER[n] * along[n], h * OVER[n] * across[n]
 
 
 @lent

@@ -67,19 +67,33 @@ class Whole(codegen.JITCodeLibrary):
         super().finalize()
 
 
-class Branching(Whole):
-    """A whole with short loops, which are not unrolled."""
+class Tuned(Whole):
+    """A whole with other optimisations than those of numba."""
+
+    unrolls, joins = True, False  # loops; equal operations on neighbours in memory
 
     def _optimize_final_module(self) -> None:
         ours = self._codegen
         first, told = ours._module_pass_manager(loop_vectorize=False, opt=0, cost="cheap")
         first.run(self._final_module, told)
         tuned = llvm.create_pipeline_tuning_options(speed_level=3)
-        tuned.slp_vectorization = tuned.loop_unrolling = False
+        tuned.loop_unrolling, tuned.slp_vectorization = self.unrolls, self.joins
         told = llvm.create_pass_builder(ours._tm, tuned)
         passes = told.getModulePassManager()
         passes.add_refprune_pass()
         passes.run(self._final_module, told)
+
+
+class Branching(Tuned):
+    """A whole with short loops, which are not unrolled."""
+
+    unrolls = False
+
+
+class Joining(Tuned):
+    """A whole in which equal operations on neighbours in memory are vectorised."""
+
+    joins = True
 
 
 def linked(libraries: list[Any]) -> list[Any]:
@@ -206,3 +220,9 @@ class BranchingCompiler(WholeCompiler):
     """Compiles a whole with short loops."""
 
     library = Branching
+
+
+class JoiningCompiler(WholeCompiler):
+    """Compiles a whole in which equal operations on neighbours in memory are vectorised."""
+
+    library = Joining
