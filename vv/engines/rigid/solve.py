@@ -118,7 +118,7 @@ class PreparedRigidBlocks:
         cuts = report[:, 3].sum()
         return (
             f"worst step: residual {residual:.3g} m/s after {sweeps:.0f} sweeps, penetration "
-            f"{deepest:.3g} m; {cuts:.0f} cuts at landings and ends of slip"
+            f"{deepest:.3g} m; {cuts:.0f} divisions of steps at landings and ends of slip"
         )
 
     def _ledger(self) -> Ledger:
