@@ -93,15 +93,13 @@ def _pressed(p: Parameters, w: float) -> tuple[Quantity, ...]:
     swings = {Method.DAMPED: "steps of this class hardly damp, so that the block still oscillates"}
     rests = Exact({Method.PENALTY: still, Method.LAGGING: still}, not_judged=swings)
     return (
-        Scalar("axial", "e_z", "", "strain along z at the end: the stress of half the weight over "
-               "E",
+        Scalar("axial", "e_z", "", "strain along z at the end, under half the weight",
                lambda run: _last(run, 2), strain[2], size, rests),
         Scalar("lateral", "e_x", "", "strain along x at the end: nu times as large, an extension",
                lambda run: _last(run, 0), strain[0], size, rests),
         Scalar("sunk", "d", "m", "downward displacement of the "
-                                 "centroid", _sinking, sunk, sunk, rests),
-        Scalar("sunk-continuum", "d/d_c", "", "the same over rho g L^2/(3 E), the value of an "
-               "elastic column",
+               "centroid", _sinking, sunk, sunk, rests),
+        Scalar("sunk-continuum", "d/d_c", "", "the same over rho g L^2/(3 E) of a column",
                lambda run: 0.75 * _sinking(run) / sunk, None, 1.0, Shown(SHORT)),
     )  # fmt: skip
 

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
+from cases.blocks._failure_chart import (
+    SEVERAL,
+    STEEPEST,
+    TURNS,
+    UNDER_GRAVITY,
+    Point,
+    borders_of,
+    is_clear,
+    law_at,
+    tested_points,
+)
 from reference_solutions.blocks import first_motion
 from reference_solutions.blocks.first_motion import Mode, acceleration
 from vv.ask import Displacement, History, Knobs, Method, Run
@@ -21,7 +31,6 @@ from vv.case import (
     Level,
     Parameter,
     Parameters,
-    RegionMap,
     Scalar,
     Source,
     Tolerance,
@@ -30,18 +39,11 @@ from vv.case import (
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
-Point = tuple[float, float]  # psi, delta [degrees]
 DENSITY = 2500.0  # kg/m3; does not enter the answer
 BRIEF = 0.02 * math.sqrt(9.81)  # duration over sqrt(R/g): blocks turn by less than 0.01 rad
 OUTPUTS = 10
-TURNS = 2e-3  # of the displacement: what the rotation of a block changes within the duration
 STEPS = ((20, 1e10), (40, 1e10), (40, 1e11), (80, 1e11))  # in the duration, and kn [N/m]
 SHORT = (400, 1e10)  # at which explicit codes are stable
-NEAR, AWAY = 0.5, 2.0  # degrees from a border: of points beside it, and at least of all others
-STEEPEST, SLENDEREST, STOUTEST = 75.0, 6.0, 70.0  # degrees: psi and delta of the chart
-SEVERAL, UNDER_GRAVITY = 22, 17  # points for a friction angle, and for a slope
-FINE = 40  # places along a curved border
-MODES = "stays", "slides", "topples", "slides and topples"
 FREE = np.ones(3, bool)
 IN_PLANE, ACROSS = np.array([True, False, True]), np.array([False, True, False])
 
@@ -54,83 +56,6 @@ def _axes(alpha: float) -> Vector:
         np.array([math.sin(a), 0.0, math.cos(a)]),
     )
     return np.array([dip, np.cross(normal, dip), normal])
-
-
-def _points(variant: str, p: Parameters) -> list[Point]:
-    """The tested points of the chart: on both sides of its borders, and all over it."""
-    if variant.startswith("gravity"):
-        beside = [angle + s * NEAR for angle in (p["alpha"], p["phi"]) for s in (-1, 1)]
-        spread = np.linspace(SLENDEREST, STOUTEST, UNDER_GRAVITY - len(beside))
-        slope = [(p["alpha"], float(delta)) for delta in (*beside, *spread)]
-        return [
-            point
-            for point in dict.fromkeys(slope)
-            if 0.0 < point[1] < 90.0 and _is_distinct(p, point)
-        ]
-    found = [
-        point
-        for point in _pairs_at_borders(p["phi"])
-        if _on_chart(*point) and _is_distinct(p, point)
-    ]
-    more = (point for point in _spread_points() if _is_clear(p["phi"], *point))
-    found = list(dict.fromkeys(found))
-    return found + [next(more) for _ in range(SEVERAL - len(found))]
-
-
-def _pairs_at_borders(phi: float) -> Iterator[Point]:
-    """Pairs of points on the two sides of each border."""
-    for part in (0.3, 0.7):
-        stout = phi + part * (STOUTEST - phi)
-        slender = SLENDEREST + part * (phi - SLENDEREST)
-        yield from ((phi - NEAR, stout), (phi + NEAR, stout))
-        yield from ((slender - NEAR, slender), (slender + NEAR, slender))
-        if NEAR < phi < STEEPEST:
-            steep = phi + NEAR + part * (STEEPEST - phi)
-            yield from ((steep, phi - NEAR), (steep, phi + NEAR))
-        if 0.0 < slender < phi:
-            joins = first_motion.slip_joins(phi, slender)
-            yield from ((joins - NEAR, slender), (joins + NEAR, slender))
-
-
-def _is_distinct(p: Parameters, point: Point) -> bool:
-    """Whether displacements distinguish the charted mode from all others, near borders too."""
-    law = _law(p, point)
-    own = first_motion.mode(**law)
-    due = acceleration(own, **law)
-    others = (acceleration(mode, **law) for mode in Mode if mode is not own)
-    return min(float(np.linalg.norm(other - due)) for other in others) > 2 * TURNS
-
-
-def _on_chart(psi: float, delta: float) -> bool:
-    return 2.0 <= psi <= STEEPEST and SLENDEREST <= delta <= STOUTEST
-
-
-def _spread_points() -> Iterator[Point]:
-    """Points of a sequence that fills the chart evenly (Halton's, bases 2 and 3)."""
-    number = 0
-    while True:
-        number += 1
-        u, v = (_mirrored(number, base) for base in (2, 3))
-        yield 2.0 + u * (STEEPEST - 2.0), SLENDEREST + v * (STOUTEST - SLENDEREST)
-
-
-def _mirrored(number: int, base: int) -> float:
-    """The digits of a number in a base, mirrored at the point."""
-    found, place = 0.0, 1.0
-    while number:
-        number, digit = divmod(number, base)
-        place /= base
-        found += digit * place
-    return found
-
-
-def _is_clear(phi: float, psi: float, delta: float) -> bool:
-    """Whether a point lies well away from every border."""
-    away = [abs(psi - delta) if psi < phi or delta < phi else AWAY]
-    away.append(abs(psi - phi) if delta > phi else AWAY)
-    away.append(abs(delta - phi) if psi > phi else AWAY)
-    away.append(abs(psi - first_motion.slip_joins(phi, delta)) if delta < phi else AWAY)
-    return min(away) >= AWAY
 
 
 def _scene(variant: str, p: Parameters, points: list[Point]) -> Scene:
@@ -161,7 +86,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(
             f"alpha = {p['alpha']!r} degrees; it must be above 0 and at most {STEEPEST}"
         )
-    points = _points(variant, p)
+    points = tested_points(variant, p)
     duration = BRIEF * math.sqrt(p["R"] / p["g"])
     goal = History(duration, duration / OUTPUTS)
     seen = tuple(Displacement(1 + number) for number in range(len(points)))
@@ -173,18 +98,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     study = Ladder(_scene(variant, p, points), goal, seen, levels)
     modes = tuple(_mode(number, point, p) for number, point in enumerate(points))
     asked = {mode.name: point for mode, point in zip(modes, points, strict=True)}
-    chart = _chart(p["phi"], asked)
+    chart = borders_of(p["phi"], asked)
     return Trial(study, (_worst(points, p, short), _agreeing(points, p), *modes), regions=chart)
-
-
-def _chart(phi: float, points: Mapping[str, Point]) -> RegionMap:
-    """The chart of a friction angle, with the exact borders between modes."""
-    steep, stout = max(STEEPEST, phi), max(STOUTEST, phi)
-    slender = np.linspace(0.1, phi, FINE, endpoint=False).tolist()
-    joins = [(first_motion.slip_joins(phi, delta), delta) for delta in slender] + [(phi, phi)]
-    borders: list[tuple[Point, ...]] = [((0.0, 0.0), (phi, phi)), tuple(joins)]
-    borders += [((phi, phi), (phi, stout)), ((phi, phi), (steep, phi))]
-    return RegionMap("psi [degrees]", "delta [degrees]", MODES, tuple(borders), points)
 
 
 def _stiffening(p: Parameters) -> float:
@@ -199,10 +114,6 @@ def _moved(p: Parameters, number: int, point: Point, run: Run) -> Vector:
     return np.asarray(moved[[0, 2]] / (0.5 * pull * run.times[-1] ** 2))
 
 
-def _law(p: Parameters, point: Point) -> dict[str, float]:
-    return {"psi": point[0], "phi": p["phi"], "delta": point[1]}
-
-
 def _nearest(moved: Vector, law: dict[str, float]) -> Mode:
     """The mode whose displacement is nearest to that of the block."""
     return min(Mode, key=lambda mode: float(np.linalg.norm(moved - acceleration(mode, **law))))
@@ -210,7 +121,7 @@ def _nearest(moved: Vector, law: dict[str, float]) -> Mode:
 
 def _error(p: Parameters, number: int, point: Point, run: Run) -> float:
     """The distance of a block from its exact place, over g' T^2/2."""
-    law = _law(p, point)
+    law = law_at(p, point)
     due = acceleration(first_motion.mode(**law), **law)
     return float(np.linalg.norm(_moved(p, number, point, run) - due))
 
@@ -237,7 +148,7 @@ def _agreeing(points: list[Point], p: Parameters) -> Count:
 def _mode(number: int, point: Point, p: Parameters) -> Count:
     """The mode of a block: 0 stays, 1 slides, 2 topples, 3 slides and topples."""
     psi, delta = point
-    judge = Exact(ALL, not_judged=CLEAR if _is_clear(p["phi"], psi, delta) else BORDERS)
+    judge = Exact(ALL, not_judged=CLEAR if is_clear(p["phi"], psi, delta) else BORDERS)
     return Count(
         f"psi={psi:.4g} delta={delta:.4g}", "mode", "how the block moves: 0 stays, 1 slides, 2 "
         "topples, 3 slides and topples",
@@ -246,11 +157,11 @@ def _mode(number: int, point: Point, p: Parameters) -> Count:
 
 
 def _observed_mode(p: Parameters, number: int, point: Point, run: Run) -> Mode:
-    return _nearest(_moved(p, number, point, run), _law(p, point))
+    return _nearest(_moved(p, number, point, run), law_at(p, point))
 
 
 def _charted_mode(p: Parameters, point: Point) -> Mode:
-    return first_motion.mode(**_law(p, point))
+    return first_motion.mode(**law_at(p, point))
 
 
 def _places(p: Parameters, short: bool) -> Exact:

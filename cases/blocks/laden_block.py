@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping
 
 import numpy as np
@@ -10,11 +9,11 @@ import numpy as np
 from cases._energy_balance import balance
 from cases._penalty import levels
 from cases._sines import harmonic
+from cases.blocks._laden_bounds import BOOKS, DRIFTS, RISES, SLIPS, SPEEDS, scaled
 from reference_solutions.blocks import laden_block
 from reference_solutions.contact.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -122,7 +121,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
         way.component(0, "slip", "displacement along the slip", slips),
         way.component(1, "rise", "displacement along the normal of the slope", rises),
         way.component(
-            2, "drift", "displacement down the slope, which the load prevents", Exact(DRIFTS)
+            2,
+            "drift",
+            "displacement down the slope, which the load prevents",
+            Exact(DRIFTS),
         ),
         speed.component(0, "slipping", "velocity along the slip", speeds),
         speed.component(1, "rising", "velocity along the normal of the slope", speeds),
@@ -149,7 +151,7 @@ def _scaled_bounds(bounds: Mapping[Method, Tolerance], p: Parameters, what: int)
     ]
     times = max(1.0, *larger) * moved[1] / moved[0]
     return Exact({
-        method: _scaled(one, times) if one.kn is not None else one for method, one in bounds.items()
+        method: scaled(one, times) if one.kn is not None else one for method, one in bounds.items()
     })  # fmt: skip
 
 
@@ -160,126 +162,6 @@ def _drive_sizes(p: Parameters) -> tuple[float, ...]:
     return p["a"], p["D"], slowed, p["mu"] * p["a"], p["mu"] * p["D"]
 
 
-def _scaled(bound: Tolerance, times: float) -> Tolerance:
-    """A bound that is `times` as large, up to the largest tolerance."""
-    value = min(times * bound.value, LARGEST_TOLERANCE)
-    floor, late = min(times * bound.floor, value), times * bound.late
-    reason = f"{bound.reason}; scaled by the largest drive over the motion"
-    return dataclasses.replace(bound, value=value, floor=floor, late=late, reason=reason)
-
-
-SUNK = Tolerance(
-    2e-4,
-    "the block sinks into its springs as the pressure changes, by 1e-4 of its displacement, and "
-    "twice as far where it oscillates",
-    kn=1e8,
-    softness=1,
-)
-SLOWED = Tolerance(
-    5e-5,
-    "friction is in proportion to the pressure, which changes as the block sinks and oscillates: "
-    "an error of 3e-5 of the displacement. Implicit steps use the drives at their ends, half a "
-    "step late",
-    kn=1e8,
-    softness=1,
-    late=0.2,
-)
-RATES = Tolerance(
-    1.5e-3,
-    "the block sinks at 1e-3 of its speed as the pressure changes; with implicit "
-    "steps its speed oscillates by 1e-4 on the stiffest springs",
-    kn=1e8,
-    softness=1,
-    floor=1.5e-4,
-)
-SWINGING = Tolerance(
-    1.5e-3,
-    "the block sinks as the pressure changes. At t = 0 the accelerations of slope and block exceed "
-    "by 1.3 m/s2 what their springs are charged for: this leaves an oscillation of 1.3 "
-    "sqrt(m/(4 kn)), 1.1e-3 of the speed, which this step damps within some cycles",
-    kn=1e8,
-    softness=0.5,
-)
-LATE = dataclasses.replace(
-    SLOWED, late=0.5, reason=f"{SLOWED.reason}; friction that lags by an iteration adds to it"
-)
-SOON = dataclasses.replace(
-    RATES, late=0.3, reason=f"{RATES.reason}; friction that lags by an iteration adds to it"
-)
-WHOLE = Tolerance(
-    1e-11,
-    "a step that uses the forces at one of its ends has them half a step late, and drives at 5 Hz "
-    "cause a tenth of the speed; the motion also starts half a step late",
-    late=10.0,
-    slack="a scheme whose forces are half a step before its velocities has no such error here",
-)
-EXACTLY = Tolerance(1e-13, "no event; only rounding errors of Taylor series remain")
-ROUNDED = Tolerance(
-    1e-11, "no force acts in this direction; only rounding over 40 000 steps remains"
-)
-DRIFTS = dict.fromkeys(Method, ROUNDED) | {Method.EXACT: EXACTLY}
-SLIPS = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        1e-6,
-        "a step uses the forces at its ends: an error of (w dt)^2/12 in the part of the "
-        "displacement that the drives cause, which is 1 %",
-        dt=1e-3,
-        order=2,
-        floor=1e-11,
-    ),
-    Method.FIRST_ORDER: WHOLE,
-    Method.PENALTY: SLOWED,
-    Method.LAGGING: LATE,
-}
-RISES = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        1.5e-8,
-        "contact is rigid: the block follows the slope in all steps but the first. The gap of "
-        "1e-10 m at the start is 7e-11 of its displacement",
-        dt=1e-3,
-        order=2,
-        floor=3e-10,
-    ),
-    Method.FIRST_ORDER: WHOLE,
-    Method.PENALTY: SUNK,
-    Method.LAGGING: SUNK,
-}
-SPEEDS = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        4e-6,
-        "a velocity is the mean of two steps: an error of (w dt)^2/6 in the velocity of the lift, "
-        "which is 2 % of the whole",
-        dt=1e-3,
-        order=2,
-    ),
-    Method.FIRST_ORDER: WHOLE,
-    Method.PENALTY: RATES,
-    Method.DAMPED: SWINGING,
-    Method.LAGGING: SOON,
-}
-BOOKS = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        1e-12, "the ledger uses the same forces as the motion: only rounding errors remain"
-    ),
-    Method.FIRST_ORDER: WHOLE,
-    Method.PENALTY: Tolerance(
-        5e-7,
-        "explicit steps count the work of forces at the ends of steps: an error of (w dt)^2/12 in "
-        "a part of it",
-        dt=1e-3,
-        order=2,
-        floor=3e-11,
-    ),
-    Method.LAGGING: Tolerance(
-        3e-11,
-        "the ledger uses the same forces as the motion: only rounding errors of 40 000 "
-        "steps remain",
-    ),
-}
 SLIP = (
     "s'' = a_s - mu (D'' - a_n), a the accelerations by weight, load and shaking, D the lift of "
     "the slope"

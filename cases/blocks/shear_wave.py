@@ -170,7 +170,9 @@ OWN = (
     "in the exact answer of layers that shear uniformly. The error of the step is what the step "
     "changes in that answer"
 )
-UNIFORM = f"layers that shear uniformly differ from the wave, and so does their exact answer; {OWN}"
+UNIFORM = (
+    f"layers that shear uniformly differ from the wave by as much as their exact answer; {OWN}"
+)
 SOFTER = (
     "formulations of this class may have the shear springs that are usual in DDA, 0.4 kn, which "
     "make this column softer by a tenth"

@@ -204,8 +204,7 @@ def _stresses(pressed: _Pressed) -> tuple[Quantity, ...]:
                one.off, 0.0, one.largest, _history_bounds(p, block)),
         Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", one.first,
                one.lowest, one.lowest, _landmark_bounds(p, block)),
-        Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall, as level bonds "
-               "open", one.top,
+        Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall", one.top,
                one.largest, one.largest, Shown(TIED)),
         Scalar("A1 beyond", "d sigma(A1)", "Pa", "difference of A1 from the nearest slow history",
                one.outside, 0.0, one.largest, _landmark_bounds(p, block)),

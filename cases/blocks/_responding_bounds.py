@@ -1,0 +1,168 @@
+"""Bounds of a block on a shaking foundation: reversals of slip located, or late."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from vv.ask import Method
+from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
+from vv.scene import Vector
+
+Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
+
+SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: neither enters the answer
+LOST = {
+    Method.FIRST_ORDER: "friction that reverses on whole steps leaves an error of speed of up to "
+    "what the base gains in a step, D w^2 dt. That is a large part of what friction gives the "
+    "block in half a period, so that the result depends on how steps fit into the period"
+}
+LOCATED = "rounding errors of a few hundred located events"
+EPS = float(np.finfo(float).eps)
+STEP, SPRING, MASS = 1e-3, 1e8, DENSITY * SIDE**3  # s, N/m, kg
+STICKS = 0.45  # of the base's acceleration: with less friction than that the block always slips
+
+
+def directions(p: Parameters) -> int:
+    """Number of axes along which the block is free: up to the last one that is shaken."""
+    for name in ("Dy", "Dz"):
+        if p[name] < 0:
+            raise ValueError(f"{name} = {p[name]!r} m; an amplitude must be zero or more")
+    return 3 if p["Dz"] > 0 else 2 if p["Dy"] > 0 else 1
+
+
+def free_fall(p: Parameters) -> float:
+    """The height of a free fall [m], which scales errors where nothing drags the block."""
+    return 0.5 * p["g"] * p["duration"] ** 2
+
+
+def reversal_error(p: Parameters) -> float:
+    """The error by reversals on whole steps, over the displacement [1/s]; see `_whole_steps`."""
+    omega, friction = 2 * np.pi * p["f"], p["mu"] * p["g"]
+    ends = np.pi * p["D"] * omega / (2 * friction) if friction else np.inf
+    return float(0.5 * omega**2 * min(ends, p["duration"]))
+
+
+def in_plane(p: Parameters, path: Path) -> Exact:
+    """Along the base; codes of first order are not judged where chance would decide."""
+    first = _whole_steps(p)
+    return Exact(_tolerances(p, path) | first, not_judged={} if first else LOST)
+
+
+def vertical(p: Parameters) -> Exact:
+    """Upwards: the block follows the base, and sinks into springs that lift it."""
+    omega = 2 * np.pi * p["fz"]
+    way = np.hypot(2 * p["Dz"], p["D"])
+    sinks = Tolerance(
+        float(np.clip(2 * MASS * p["Dz"] * omega**2 / SPRING / way, 1e-9, LARGEST_TOLERANCE)),
+        "the block sinks by m z''/kn as the base lifts it, and twice as far where it oscillates",
+        kn=SPRING,
+        softness=1,
+        late=2e-2,
+    )
+    rests = Tolerance(
+        1e-7, "contact is rigid: the block has the velocity of the base at the end of a step"
+    )
+    return Exact({
+        Method.EXACT: Tolerance(1e-12, LOCATED),
+        Method.SECOND_ORDER: rests,
+        Method.FIRST_ORDER: Tolerance(
+            1e-9,
+            "the block follows the base half a step late",
+            late=float(omega) / 2,
+            slack="some schemes have velocities at half steps, and no such delay",
+        ),
+        Method.PENALTY: sinks,
+        Method.LAGGING: sinks,
+    })  # fmt: skip
+
+
+def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:
+    """The tolerances: reversals of slip are located, or late by a part of a step or of 1/w."""
+    one_way = directions(p) == 1
+    if one_way:
+        way = float(np.abs(path(np.linspace(0.0, p["duration"], 101))).max())
+    else:
+        way = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
+    rate = p["mu"] * p["g"] * p["duration"] / (way or free_fall(p))
+    # f in Hz: delays add up faster at higher frequencies
+    quick = 1 + p["f"] / 3 if one_way else 1.0
+    return {
+        Method.EXACT: Tolerance(1e-13, LOCATED) if one_way else _rounding(p, path),
+        Method.SECOND_ORDER: _second(p) if one_way else _rotating(p),
+        Method.PENALTY: _late_reversals(rate, 0.07 * quick, 0.8),
+        Method.LAGGING: _late_reversals(rate, 0.1 * quick, 2.0, "; lagging friction adds to it"),
+    }
+
+
+def _rounding(p: Parameters, path: Path) -> Tolerance:
+    """For slip that rotates: displacements of base and slip are summed, and may nearly cancel."""
+    turned = 2 * np.pi * max(p["f"], p["fy"]) * p["duration"]
+    ways = np.abs(path(np.linspace(0.0, p["duration"], 101))).max(axis=0)[:2]
+    lost = 0.1 * EPS * turned**2 * np.hypot(p["D"], p["Dy"])
+    return Tolerance(
+        float(np.clip(lost / ways.min(), 1e-13, LARGEST_TOLERANCE)) if ways.min() > 0 else 1e-13,
+        f"{LOCATED}, and of the phases w T of the base, which add up in a slip that does not stop",
+    )
+
+
+def _whole_steps(p: Parameters) -> dict[Method, Tolerance]:
+    """For first order: friction acts at ends of steps; empty if the bound at STEP is too large."""
+    omega = 2 * np.pi * np.array([p["f"], p["fy"], p["fz"]][: directions(p)])
+    late = reversal_error(p) if len(omega) == 1 else float(omega.max())
+    bound = Tolerance(
+        1e-9,
+        "slip reverses on whole steps: the block keeps an error of speed of up to D w^2 dt for pi "
+        "D w/(2 mu g), the time in which friction removes it. Where the direction of slip rotates, "
+        "friction is late by up to w dt",
+        late=late,
+        slack="reversals fall on whole steps only if steps divide the period",
+    )
+    return {Method.FIRST_ORDER: bound} if late * STEP < LARGEST_TOLERANCE else {}
+
+
+def _second(p: Parameters) -> Tolerance:
+    """For motion along x with located reversals; the bound depends on whether the block sticks."""
+    omega = 2 * np.pi * p["f"]
+    if p["mu"] * p["g"] < STICKS * p["D"] * omega**2:
+        return Tolerance(
+            2e-9,
+            "the block slips all the time, and its velocity is linear between reversals, which are "
+            "located within the step: the tolerance of their location remains",
+        )
+    return Tolerance(
+        float(np.clip((omega * STEP) ** 2 / 8, 2e-9, LARGEST_TOLERANCE)),
+        "where the block sticks it follows the sine of the base, with an error of (w dt)^2/12",
+        dt=STEP,
+        order=2,
+        floor=2e-9,
+    )
+
+
+def _rotating(p: Parameters) -> Tolerance:
+    """For slip whose direction rotates."""
+    omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
+    return Tolerance(
+        float(np.clip(0.6 * (omega * STEP) ** 2, 1e-7, LARGEST_TOLERANCE)),
+        "friction acts along the mean direction of slip over a step. Where the slip is slow its "
+        "direction turns by more than w dt of the fastest sine, and the error is the square of "
+        "that angle",
+        dt=STEP,
+        order=2,
+        floor=1e-7,
+    )
+
+
+def _late_reversals(rate: float, by_springs: float, by_steps: float, more: str = "") -> Tolerance:
+    """For late reversals of slip; rate: mu g T over the displacement [1/s]."""
+    value = rate * by_springs * np.sqrt(MASS / SPRING)
+    return Tolerance(
+        float(np.clip(value, 1e-9, LARGEST_TOLERANCE)),
+        "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, and reversals fall "
+        "on whole steps; over the duration T the delays add up to mu g T "
+        f"({by_springs:g}/w + {by_steps:g} dt){more}",
+        kn=SPRING,
+        softness=0.5,
+        late=by_steps * rate,
+    )
