@@ -1,1 +1,1 @@
-"""Exact motion of one body whose slip on rigid contact turns, by Taylor series in numba."""
+"""Exact motion of one body on rigid contact whose slip changes direction, by Taylor series."""

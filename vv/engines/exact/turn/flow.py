@@ -15,12 +15,12 @@ from vv.engines.exact.stopped import StoppedError
 from vv.engines.exact.turn.kernel import ENDED, FULL, REST, follow_turning
 from vv.engines.exact.turn.path import Turn
 from vv.engines.exact.turn.series import ORDER
-from vv.engines.exact.turn.slipping import enough
+from vv.engines.exact.turn.slipping import padded_count
 from vv.engines.kernels.compiled import entry
 from vv.scene import Vector
 
 FEW, MOST = 1_024, 262_144  # pieces for which arrays have room at first, and in one run
-STILL = 64 * EPS  # of the greatest velocity: a slip slower than that is at rest
+STILL = 64 * EPS  # over the greatest velocity: a slower slip is at rest
 
 
 class TurningFlow:
@@ -42,8 +42,8 @@ class TurningFlow:
                 return count
             if outcome != FULL:
                 raise StoppedError(
-                    f"friction reaches its limit at t = {t:.6g} s and the drive does not rise "
-                    "above it"
+                    f"the force along the wall reaches the friction limit at t = {t:.6g} s without "
+                    "rising above it in first order"
                 )
             if self.room >= MOST:
                 raise StoppedError(
@@ -82,9 +82,9 @@ class TurningFlow:
 
 
 def _padded(rows: Vector, slider: TurningSlider) -> tuple[Vector, Vector]:
-    """Rows and sines as `expand_slip` takes them: some of the sines may be nil."""
+    """Rows and sines in the form of `expand_slip`, which may need sines of zero amplitude."""
     short = slider.frequency.astype(np.float32).astype(float)
     omega = 2 * np.pi * slider.frequency
     sines = np.stack((short, slider.frequency - short, slider.phase, omega), axis=1)
-    more = enough(len(sines)) - len(sines)
+    more = padded_count(len(sines)) - len(sines)
     return np.pad(rows, ((0, 0), (0, more))), np.pad(sines, ((0, more), (0, 0)))

@@ -1,7 +1,8 @@
-"""Follows a slip that turns from piece to piece; a piece is a Taylor polynomial of its path.
+"""Computes a slip that changes direction, piece by piece, each a Taylor polynomial of its path.
 
-The path is a curve of place and time over one variable: time itself where the body rests, begins to
-slip or slips without friction, and otherwise tau, in which series reach farther (see `slipping`).
+The path gives position and time as functions of a parameter. The parameter is time where the body
+rests, begins to slip or slips without friction; elsewhere it is tau, in which series have a larger
+radius of convergence (see `slipping`).
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import math
 
 import numpy as np
 
-from vv.engines.exact.turn.rest import end_of_rest, slack
+from vv.engines.exact.turn.rest import end_of_rest, friction_margin
 from vv.engines.exact.turn.series import (
     ORDER,
     OVER,
@@ -24,19 +25,19 @@ from vv.engines.kernels.compiled import compiled_to_join, lent
 from vv.scene import Vector
 
 REST, SLIP = 0, 1
-ENDED, FULL, TOUCHED = 0, 1, 2  # TOUCHED: |T| reaches F and does not rise above it in first order
-LAST = 1e-16  # of the first term of a series, the last: less than rounding
-RESOLVED = 1e-8  # of a piece: what rounding of a time is at most if it resolves the piece, and
-# what one step of Newton's iteration makes less than rounding
-LONGEST = 30.0  # of a step in its unit: what drive and friction balance grows slowly
-CELL = 1.5  # [rad] of the quickest sine: pieces of rest are no longer
+ENDED, FULL, TOUCHED = 0, 1, 2  # TOUCHED: |T| reaches F but does not exceed it in first order
+LAST = 1e-16  # last term of a series over its first: less than rounding
+RESOLVED = 1e-8  # relative error of a piece's duration: larger than rounding of the time, and small
+# enough for one Newton step to make it less than rounding
+LONGEST = 30.0  # longest step in its unit: a slip that grows slowly has a large radius
+CELL = 1.5  # [rad] of the quickest sine: the longest piece of rest or without friction
 
 
 @compiled_to_join
 def follow_turning(
     rows: Vector,
     sines: Vector,
-    begun: Vector,
+    initial: Vector,
     tiny: float,
     band: float,
     duration: float,
@@ -46,15 +47,15 @@ def follow_turning(
 ) -> tuple[int, int, float]:
     """The outcome, the number p of pieces and the time reached [s].
 
-    rows (3, 1 + k) [m/s2]: the two parts of T and F as constants and amplitudes of k sines
-    (k, 4), see `angle` and `expand_slip`. begun: (2,) the slip's velocity at t = 0 [m/s];
-    below tiny [m/s] it is none. band [m2/s4]: the rounding of F^2 - |T|^2. Filled: starts (most,
-    2), when each piece starts [s] and the end of its variable x, which is 0 at its start; states
-    (most,); series (most, ORDER + 1, 3), in x, of its place [m] and of the time since its start.
+    rows (3, 1 + k) [m/s2]: the two components of T, and F, as constants and amplitudes of k sines
+    (k, 4), see `angle` and `expand_slip`. initial: (2,) velocity of slip at t = 0 [m/s], which is
+    zero below tiny [m/s]. band [m2/s4]: rounding of F^2 - |T|^2. Filled: starts (most, 2), the time
+    at which a piece starts [s] and the end of its parameter x, which starts at 0; states (most,);
+    series (most, ORDER + 1, 3) in x, of position [m] and of time since the start of the piece [s].
     It is one function since each piece updates nearly all of its variables.
     """
-    t, count, place, w = 0.0, 0, np.zeros(2), begun.copy()
-    drive, work, looked = np.empty((3, ORDER + 1)), np.empty((2, ORDER)), np.empty(3)
+    t, count, place, w = 0.0, 0, np.zeros(2), initial.copy()
+    drive, work, margin = np.empty((3, ORDER + 1)), np.empty((2, ORDER)), np.empty(3)
     turned, shape = np.empty((3, ORDER + 1)), np.empty((2, ORDER))
     room = FURTHER + 2 * (len(sines) - FIRST)
     velocity, slip = np.zeros((ORDER + 1, room)), np.zeros((ORDER + 1, room))
@@ -75,10 +76,10 @@ def follow_turning(
             expand_drive(rows, sines, t, unit, drive)
             end = _step_without_friction(drive, unit, w, velocity)
         else:
-            slack(rows, sines, t, looked)
-            power = 1 if looked[0] < -band else 2
-            if looked[0] > band or (power == 2 and looked[1] >= 0):
-                last = end_of_rest(rows, sines, t, duration, band, looked)
+            friction_margin(rows, sines, t, margin)
+            power = 1 if margin[0] < -band else 2
+            if margin[0] > band or (power == 2 and margin[1] >= 0):
+                last = end_of_rest(rows, sines, t, duration, band, margin)
                 count, t = _rest(t, last, CELL * unit, place, starts, states, series, count)
                 if t >= duration or count == len(starts):
                     continue
@@ -111,7 +112,7 @@ def _rest(
     series: Vector,
     count: int,
 ) -> tuple[int, float]:
-    """Pieces of rest from t to `last`, none longer than a cell [s]: their number, and the time."""
+    """Fill pieces of rest from t to `last`, each at most `cell` [s] long; return count and time."""
     while t < last and count < len(starts):
         h = min(cell, last - t)
         starts[count, 0], starts[count, 1], states[count] = t, 1.0, REST
@@ -124,20 +125,21 @@ def _rest(
 
 @lent
 def _end_of_piece(piece: Vector, end: float, t: float, duration: float) -> tuple[float, float]:
-    """When a piece ends that starts at t and bears x up to `end` [s], and its x then.
+    """The time [s] at which a piece ends that starts at t, and its parameter there, at most `end`.
 
-    It ends where the next one starts, to rounding of its length, but where t cannot resolve it.
+    The time is that at which the next piece starts, to rounding of the piece's duration, unless a
+    time near t cannot resolve that.
     """
     then, low, high, x = duration, 0.0, end, end
     for _ in range(60):
-        passed, rate = 0.0, 0.0
+        elapsed, rate = 0.0, 0.0
         for n in range(ORDER, -1, -1):
-            rate = rate * x + passed
-            passed = passed * x + piece[n, 2]
+            rate = rate * x + elapsed
+            elapsed = elapsed * x + piece[n, 2]
         if x == end:
-            then = min(t + passed, duration)
-        late = passed - (then - t)
-        if abs(late) <= RESOLVED * passed:
+            then = min(t + elapsed, duration)
+        late = elapsed - (then - t)
+        if abs(late) <= RESOLVED * elapsed:
             return then, x - late / rate
         if then < duration:
             return then, end
@@ -152,7 +154,7 @@ def _end_of_piece(piece: Vector, end: float, t: float, duration: float) -> tuple
 
 @lent
 def _step_of_slip(q: Vector) -> float:
-    """The part of tau's unit that the series of `expand_slip` bears."""
+    """The step in the unit of tau for which the series of `expand_slip` has converged."""
     end = LONGEST
     for n in range(ORDER - 2, ORDER):
         size = max(abs(q[n, SPEED]), math.hypot(q[n, WAY], q[n, WAY + 1]))
@@ -163,7 +165,7 @@ def _step_of_slip(q: Vector) -> float:
 
 @lent
 def _step_without_friction(drive: Vector, unit: float, w: Vector, rates: Vector) -> float:
-    """The part of a unit of time [s] that the series of w bears; fills it in."""
+    """The step in the unit of time for which the series of w has converged; fills that in rates."""
     for a in range(2):
         rates[0, WAY + a] = w[a]
         for n in range(ORDER - 1):
@@ -181,9 +183,10 @@ def _step_of_start(
     shape: Vector,
     work: Vector,
 ) -> float:
-    """The step in units of h that the series of a start from rest bears; 0 if there is none.
+    """The step in units of h for which the series of a start from rest has converged, or 0.
 
-    Filled: rates, of the velocity. turned (3, ORDER + 1), shape (2, ORDER), work: for work.
+    It is 0 if the body does not start. Filled: rates, of the velocity. turned (3, ORDER + 1), shape
+    (2, ORDER), work: overwritten.
     """
     pull = math.hypot(drive[0, 0], drive[1, 0])
     x, y = drive[0, 0] / pull, drive[1, 0] / pull
@@ -214,7 +217,10 @@ def _step_of_start(
 
 @lent
 def _integrate(rates: Vector, h: float, out: Vector) -> None:
-    """The series (ORDER + 1, 3) of the way [m] and the time [s] over it in units of h [s]."""
+    """Fill the series out (ORDER + 1, 3) of position [m] and time [s] from that of the velocity.
+
+    Its variable is time in units of h [s].
+    """
     out[0, 2] = 0.0
     for n in range(ORDER):
         out[n + 1, 0], out[n + 1, 1] = h * OVER[n] * rates[n, WAY], h * OVER[n] * rates[n, WAY + 1]
@@ -223,7 +229,7 @@ def _integrate(rates: Vector, h: float, out: Vector) -> None:
 
 @lent
 def _advance(rates: Vector, piece: Vector, x: float, w: Vector, place: Vector) -> None:
-    """The slip's velocity and place at the part x of a piece; the piece is given its place."""
+    """Move velocity w and place to the part x of a piece, in which the old place is stored."""
     u, v, way_x, way_y = 0.0, 0.0, 0.0, 0.0
     for n in range(ORDER - 1, -1, -1):
         u = u * x + rates[n, WAY]

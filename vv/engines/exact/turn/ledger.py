@@ -1,4 +1,4 @@
-"""The energy ledger of a slip that turns; every energy and work is integrated by itself."""
+"""The energy ledger of a slip that changes direction; every term is integrated separately."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vv.engines.exact.slide.system import forces, ground
 from vv.engines.exact.turn.path import Turn
 from vv.scene import Vector
 
-NODES = 14  # of Gauss in a piece, which is a small part of its radius of convergence: to rounding
+NODES = 14  # of Gauss's rule: exact to rounding, as pieces are far shorter than series converge
 
 
 def turn_ledger(path: Turn) -> Ledger:
-    """Energies at the end of a slip that turns, with the terms of `slide_ledger`."""
+    """Energies at the end of a slip that changes direction; terms are those of `slide_ledger`."""
     slider = path.slider
     curve, rate = taylor_sum(path.series, path.end)
     times = np.append(path.start, path.start[-1] + curve[-1, 2])
@@ -26,9 +26,10 @@ def turn_ledger(path: Turn) -> Ledger:
 
 
 def _works(path: Turn) -> tuple[Vector, Vector, Vector]:
-    """Works (p,) [J] against friction, of the shaking and of the wall, in each piece.
+    """The work (p,) [J] against friction, by shaking and by the wall in each piece.
 
-    The contact force over the mass is the acceleration less that of all other forces.
+    The contact force over the mass is the acceleration minus that by all other forces. Integrals
+    are those of Gauss's rule.
     """
     slider, nodes = path.slider, np.polynomial.legendre.leggauss(NODES)
     works = np.zeros((3, len(path)))

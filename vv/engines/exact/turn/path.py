@@ -1,4 +1,4 @@
-"""The exact motion of a slip that turns, as a sequence of Taylor polynomials."""
+"""The exact motion of a slip that changes direction, as a sequence of Taylor polynomials."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from vv.engines.exact.roots import EPS
 from vv.engines.exact.slide.system import TurningSlider
 from vv.scene import Vector
 
-NEXT = 1e-6  # of a piece: at most so far beyond its end may a time lie that it is asked for
+NEXT = 1e-6  # largest distance of a time from the end of its piece, over the piece
 
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A motion of p pieces, curves of place and time: sum over k of series[k] x^k, x in [0, end].
+    """A motion of p pieces: position and time are sum over k of series[k] x^k, with x in [0, end].
 
-    start [s], end: (p,); series: (p, ORDER + 1, 3), the two parts of the slip's place [m] and the
-    time since the piece's start [s]; slips: (p,) whether the body slips.
+    start [s], end: (p,); series: (p, ORDER + 1, 3), two components of slip [m] and the time since
+    the start of the piece [s]; slips: (p,) whether the body slips.
     """
 
     slider: TurningSlider
@@ -35,7 +35,7 @@ class Turn:
 
     @property
     def changes(self) -> Vector:
-        """When the body begins to slip or comes to rest (c,) [s]."""
+        """The times (c,) [s] at which the body begins to slip or comes to rest."""
         pairs = itertools.pairwise(self.slips.tolist())
         return self.start[1:][[before is not after for before, after in pairs]]
 
@@ -45,21 +45,21 @@ class Turn:
         curve, rate = taylor_sum(self.series[piece], self._where(piece, times - self.start[piece]))
         return curve[:, :2], rate[:, :2] / rate[:, 2:]
 
-    def _where(self, piece: npt.NDArray[np.intp], passed: Vector) -> Vector:
-        """The x (t,) in pieces (t,) at which times (t,) [s] since their start have passed.
+    def _where(self, piece: npt.NDArray[np.intp], elapsed: Vector) -> Vector:
+        """The parameters x (t,) of pieces (t,) at times (t,) [s] since their start.
 
-        By Newton's iteration held between bounds: time grows with x.
+        They follow by Newton's method with bisection, since time grows with x.
         """
         clocks = self.series[piece, :, 2:]
         low, high = np.zeros(len(piece)), self.end[piece] * (1 + NEXT)
-        x = high * np.minimum(passed / taylor_sum(clocks, high)[0][:, 0], 1.0)
+        x = high * np.minimum(elapsed / taylor_sum(clocks, high)[0][:, 0], 1.0)
         for _ in range(60):
             time, rate = (part[:, 0] for part in taylor_sum(clocks, x))
-            late = time - passed
+            late = time - elapsed
             high, low = np.where(late > 0, x, high), np.where(late > 0, low, x)
             guess = x - late / rate
             x = np.where((guess >= low) & (guess <= high), guess, (low + high) / 2)
-            if (np.abs(late) <= 4 * EPS * (passed + np.abs(x * rate))).all():
+            if (np.abs(late) <= 4 * EPS * (elapsed + np.abs(x * rate))).all():
                 break
         return x
 
@@ -68,7 +68,7 @@ class Turn:
         return self.motion_in_space(*self.at(times), times)
 
     def motion_in_space(self, place: Vector, speed: Vector, times: Vector) -> tuple[Vector, Vector]:
-        """Displacement and velocity (t, 3) of a slip: those of the wall, as felt, are added."""
+        """Displacement and velocity (t, 3) of the body: those of its slip and of the wall."""
         slider = self.slider
         angle = np.outer(times, 2 * np.pi * slider.frequency) + slider.phase
         rates = 2 * np.pi * slider.frequency[:, None] * slider.base

@@ -11,7 +11,7 @@ from vv.scene import Vector
 
 
 @lent
-def slack(rows: Vector, sines: Vector, t: float, out: Vector) -> None:
+def friction_margin(rows: Vector, sines: Vector, t: float, out: Vector) -> None:
     """Fill out (3,) with F^2 - |T|^2 at time t [m2/s4] and its first two time derivatives."""
     out[:] = 0.0
     for r in range(3):
@@ -55,7 +55,7 @@ def end_of_rest(
     """
     jerk, held, ahead = third_derivative_bound(rows, sines), t, last - t
     while t < last:
-        slack(rows, sines, t, out)
+        friction_margin(rows, sines, t, out)
         if out[0] > 0:
             held = t
         elif out[0] <= -band / 2:

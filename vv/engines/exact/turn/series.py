@@ -1,4 +1,4 @@
-"""Taylor series in time of a slip that turns: of its drive, and of its start from rest."""
+"""Taylor series in time of a slip that changes direction: of its driving force and its start."""
 
 from __future__ import annotations
 
@@ -9,18 +9,20 @@ import numpy as np
 from vv.engines.kernels.compiled import lent
 from vv.scene import Vector
 
-GRID = 2.0**20  # 1/s: what a time is more than a multiple of 1/GRID is kept apart
-ORDER = 28  # of the series of the place; that of the velocity is one less
-OVER = 1.0 / np.arange(1, ORDER + 2)  # over n + 1, which would be a division for each coefficient
-REACH = 0.23  # (1e-17)^(1/27): of the radius of convergence, so that the last term is rounding
+GRID = 2.0**20  # 1/s: a time is a multiple of 1/GRID plus a remainder
+ORDER = 28  # of the series of position; that of the velocity is one less
+OVER = 1.0 / np.arange(1, ORDER + 2)  # 1/(n + 1), which saves a division for each coefficient
+REACH = (
+    0.23  # (1e-17)^(1/27): step over the radius of convergence, so that the last term is rounding
+)
 
 
 @lent
 def angle(sines: Vector, i: int, t: float) -> float:
-    """The phase [rad] of a sine at time t [s], whole turns left out, as sharp late as at first.
+    """The phase [rad] of a sine at time t [s] without whole turns, equally accurate at any time.
 
-    sines (k, 4): frequency [Hz] in two parts of which the first has few digits, so that its
-    product with a time on the grid is exact; phase [rad]; 2 pi times the frequency [rad/s].
+    sines (k, 4): frequency [Hz] in two parts, of which the first has so few digits that its product
+    with a time on the grid is exact; phase [rad]; angular frequency [rad/s].
     """
     whole = math.floor(t * GRID) / GRID
     turns = sines[i, 0] * whole
@@ -31,7 +33,10 @@ def angle(sines: Vector, i: int, t: float) -> float:
 
 @lent
 def expand_drive(rows: Vector, sines: Vector, t: float, h: float, out: Vector) -> None:
-    """Coefficients (3, ORDER + 1) at time t of rows[:, 0] + rows[:, 1:] @ sines, in units of h."""
+    """Fill out (3, ORDER + 1) with the series of rows[:, 0] + rows[:, 1:] @ sines about time t.
+
+    Its variable is time in units of h [s].
+    """
     out[:, :] = 0.0
     for r in range(3):
         out[r, 0] = rows[r, 0]
@@ -47,12 +52,12 @@ def expand_drive(rows: Vector, sines: Vector, t: float, h: float, out: Vector) -
 
 @lent
 def expand_start(drive: Vector, h: float, power: int, v: Vector, z: Vector, work: Vector) -> None:
-    """Coefficients (ORDER,) of a slip from rest at x = 0: x^power v along T(0), z v x^power across.
+    """The series (ORDER,) of a slip from rest: x^power v along T(0), and z v x^power across it.
 
-    power 2 where |T| rises above F, 1 where it is above at once. drive: as in `expand_slip`, in
-    the frame whose first axis is along T(0); work: (2, ORDER), of 1/sqrt(1 + z^2) and z over
-    that root. With power 2 the series of the direction is asymptotic, since the slip is drawn to
-    this solution ever faster as x falls to 0.
+    power: 2 if |T| rises above F, 1 if it is above F at once. drive (3, ORDER + 1): the series of T
+    and F in the frame whose first axis is along T(0); work (2, ORDER): those of 1/sqrt(1 + z^2) and
+    of z over that root. With power 2 the series of the direction is asymptotic: other slips
+    approach this solution faster and faster as x decreases to 0.
     """
     root, across = work[0], work[1]
     for j in range(len(v)):
@@ -80,7 +85,7 @@ def expand_start(drive: Vector, h: float, power: int, v: Vector, z: Vector, work
 
 @lent
 def _inverse_root(root: Vector, z: Vector, j: int) -> float:
-    """The coefficient j of (1 + z^2)^(-1/2) from those before it; z[0] = 0."""
+    """Coefficient j of (1 + z^2)^(-1/2) from the coefficients before it; z[0] = 0."""
     total = 0.0
     for i in range(2, j + 1):
         square = 0.0

@@ -1,8 +1,8 @@
-"""Taylor series of a slip that turns, in a variable in which it is regular where it comes to rest.
+"""Taylor series of a slip in a variable in which it is regular where the body comes to rest.
 
-With dt = |w| dtau the law w' = T - F w/|w| becomes dw/dtau = |w| T - F w, d|w|/dtau = T.w - F |w|.
-Both are linear in w and |w|, so that a complex time at which |w| vanishes, which limits a series in
-time, limits none in tau. T and F are sums of sines of t, which are expanded beside them.
+With dt = |w| dtau, the law w' = T - F w/|w| becomes dw/dtau = |w| T - F w, d|w|/dtau = T.w - F |w|.
+Both equations are linear in w and |w|, so that a complex time at which |w| = 0, a singularity of
+the series in time, is none in tau. T and F are sums of sines of t, which are expanded too.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from vv.engines.exact.turn.series import ORDER, OVER, angle
 from vv.engines.kernels.compiled import lent
 from vv.scene import Vector
 
-# Columns of what is expanded, as `_products` needs them side by side:
+# Columns of q, in the order in which `_products` reads them:
 FIRST = 3  # sines, each with its cosine, from column 0 on
 SLIP, FORCE, AGAIN, SPEED = 6, 8, 12, 16  # w; T, F, F; w, w; |w|
-FURTHER = 17  # the other sines, LOT at a time
+FURTHER = 17  # the other sines, in groups of LOT
 LOT = 4
 
 
-def enough(sines: int) -> int:
-    """How many sines there must be for `expand_slip`, some of them nil."""
+def padded_count(sines: int) -> int:
+    """The number of sines that `expand_slip` needs; additional ones have zero amplitude."""
     return FIRST + LOT * -(-max(sines - FIRST, 0) // LOT)
 
 
@@ -29,11 +29,12 @@ def enough(sines: int) -> int:
 def expand_slip(
     rows: Vector, sines: Vector, t: float, cell: float, q: Vector, sums: Vector, out: Vector
 ) -> None:
-    """Coefficients of a slip at time t [s] in tau, in a unit in which it turns or takes cell [s].
+    """The series in tau of a slip at time t [s].
 
-    rows, sines: as in `follow_turning`, as many as `enough` says. q (ORDER + 1, columns), where w
-    is given in the first row; sums: one row, for work. Filled: q, and out (ORDER + 1, 3), the way
-    [m] and the time since t [s], but for the constant of the way.
+    rows, sines: as in `follow_turning`, in the number that `padded_count` gives. The unit of tau is
+    a time in which the slip changes its direction, or `cell` [s] if this is shorter. q (ORDER + 1,
+    columns): w is given in the first row; sums: one row, overwritten. Filled: q, and out (ORDER +
+    1, 3), the series of displacement [m], without its constant, and of time since t [s].
     """
     h = _expand_start(rows, sines, t, cell, q)
     out[0, 2] = 0.0
@@ -58,11 +59,11 @@ def expand_slip(
             y += rows[1, 1 + j] * risen
             press += rows[2, 1 + j] * risen
         u, v = step * (u - sums[FORCE + 2]), step * (v - sums[FORCE + 3])
-        _place(q, n + 1, step * (sums[FORCE] + sums[FORCE + 1] - f), u, v, x, y, press)
+        _fill_columns(q, n + 1, step * (sums[FORCE] + sums[FORCE + 1] - f), u, v, x, y, press)
 
 
 @lent
-def _place(
+def _fill_columns(
     q: Vector, n: int, speed: float, u: float, v: float, x: float, y: float, f: float
 ) -> None:
     q[n, SPEED], q[n, SLIP], q[n, SLIP + 1] = speed, u, v
@@ -72,7 +73,7 @@ def _place(
 
 @lent
 def _expand_start(rows: Vector, sines: Vector, t: float, cell: float, q: Vector) -> float:
-    """The constants of `expand_slip`; returns the unit of tau [s2/m]."""
+    """Fill the first row of q for `expand_slip`; return the unit of tau [s2/m]."""
     x, y, f = rows[0, 0], rows[1, 0], rows[2, 0]
     for j in range(len(sines)):
         at = 2 * j if j < FIRST else FURTHER + 2 * (j - FIRST)
@@ -84,7 +85,7 @@ def _expand_start(rows: Vector, sines: Vector, t: float, cell: float, q: Vector)
         f += rows[2, 1 + j] * sine
     u, v = q[0, SLIP], q[0, SLIP + 1]
     speed = math.hypot(u, v)
-    _place(q, 0, speed, u, v, x, y, f)
+    _fill_columns(q, 0, speed, u, v, x, y, f)
     return float(1 / max(math.hypot(x, y) + abs(f), speed / cell))
 
 
@@ -92,7 +93,8 @@ def _expand_start(rows: Vector, sines: Vector, t: float, cell: float, q: Vector)
 def _products(q: Vector, n: int, sums: Vector) -> None:
     """Coefficients n of products: |w| with three sines, their cosines and w; T and F with w.
 
-    Line by line, so that each four become one (see `compiled_to_join`).
+    They are written line by line, so that four lines become one vector operation (see
+    `compiled_to_join`).
     """
     a = b = c = d = e = f = g = h = 0.0
     o = p = r = s = 0.0
@@ -118,7 +120,7 @@ def _products(q: Vector, n: int, sums: Vector) -> None:
 
 @lent
 def _further_products(q: Vector, n: int, at: int, sums: Vector) -> None:
-    """Coefficients n of |w| with four sines and their cosines, from column `at` on."""
+    """Coefficients n of products of |w| with four sines and their cosines, from column `at` on."""
     a = b = c = d = e = f = g = h = 0.0
     for i in range(n + 1):
         speed = q[n - i, SPEED]
