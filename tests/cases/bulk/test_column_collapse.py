@@ -105,6 +105,12 @@ def test_what_breaks_a_law_is_seen(
     assert _verdicts(_run(place, speed))[law] != "pass"
 
 
+def test_a_velocity_at_the_start_that_is_rounding_is_no_gain_of_energy() -> None:
+    gain = next(one for one in TRIAL.quantities if one.name == "gain")
+    run = _run(lambda t: _still(t) - np.array([0.0, 0.0, t]), lambda t: _nil(t) + 1e-20 * (t == 0))
+    assert measured(run, gain, Method.SECOND_ORDER, Knobs(dt=1e-5))[0].value == 0
+
+
 def test_a_grain_that_rolled_far_away_does_not_move_the_edge() -> None:
     def strays(t: float) -> Vector:
         place = _still(t).copy()
