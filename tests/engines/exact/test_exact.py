@@ -11,7 +11,7 @@ from cases.contact.single_contact import CASE
 from tests.scenes.blocks.exact_slides import apart
 from tests.scenes.event_located import event_located
 from tests.scenes.other_worlds import rescaled
-from tests.scenes.small_scenes import DOWN, FLOOR, KINDS, ball, crowded, small_scene
+from tests.scenes.small_scenes import ALONG, DOWN, FLOOR, KINDS, UP, ball, crowded, small_scene
 from vv.ask import Ask, Displacement, History, Run, Status, Velocity
 from vv.engines.exact import Path as Motion
 from vv.engines.exact import assemble, follow, solve
@@ -261,6 +261,16 @@ def test_the_velocity_is_that_of_the_closed_form() -> None:
     p = CASE.defaults("T1")
     k = np.sqrt(p["kn"] / ask.scene.spheres.mass[1])
     assert apart(run.values[Velocity(1)][:, 1], p["v_a"] * np.cos(k * run.times)) < 1e-14
+
+
+def test_a_load_that_bears_the_weight_but_for_rounding_moves_nothing() -> None:
+    """A ball that floats over a floor has one unknown, along its velocity."""
+    weight = 2.0 * -DOWN
+    bearing = np.nextafter(weight, 0.0)
+    floats = ball(2.0 * UP, ALONG, mass=np.array([2.0]), load=bearing[None])
+    scene = Scene((Wall(np.zeros(3), UP), floats), Contact(1e3), gravity=DOWN)
+    assert 0.0 < np.abs(weight - bearing).max() < 1e-14
+    assert len(assemble(scene).mass) == 1
 
 
 def test_bodies_that_cannot_meet_are_no_reason_to_refuse() -> None:
