@@ -44,6 +44,19 @@ def test_short_solves_are_timed_many_at_a_time(monkeypatch: pytest.MonkeyPatch) 
     assert cost.spread < 1e-6
 
 
+def test_a_clock_that_moves_in_ticks_costs_no_million_calls(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Ticks of 4 ms, which a process with a limit of CPU time has, and calls of 10 microseconds."""
+    clock = Clock(*[1e-5] * 20000)
+    monkeypatch.setattr("time.process_time", lambda: 4e-3 * (clock.now // 4e-3))
+    monkeypatch.setattr("time.perf_counter", clock.read)
+    _, cost = timed(clock.solve, 0.05)
+    assert clock.calls < 10000
+    assert cost.solve_cpu == pytest.approx(1e-5, rel=0.1)
+    assert cost.solve_wall == pytest.approx(1e-5)
+
+
 def test_without_a_budget_there_is_one_call(clock: Clock) -> None:
     result, cost = timed(clock.solve, 0.0)
     assert (result, clock.calls) == ("solved", 1)

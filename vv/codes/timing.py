@@ -19,19 +19,21 @@ def timed(solve: Callable[[], T], repeat: float) -> tuple[T, Cost]:
     repeat: 0 for one call; otherwise calls are repeated until about that many CPU seconds have
     passed, in blocks that are long compared with the resolution of the clock. The CPU and wall
     seconds are those of one call in the cheapest block; the first call only fills caches, unless it
-    took all of `repeat`.
+    took all of `repeat`. A process with a limit of CPU time (`ulimit -t`) has a CPU clock that
+    moves every few milliseconds: where it stands still, the wall clock says how many calls make a
+    block, and the mean of all blocks is what a call takes.
     """
     result, cpu, wall = _block(solve, 1)
     if cpu >= repeat:
         return result, Cost(solve_cpu=cpu, solve_wall=wall)
-    calls = max(1, int(BLOCK / max(cpu, 1e-9)))
+    calls = max(1, int(BLOCK / max(cpu or wall, 1e-9)))
     shares: list[tuple[float, float]] = []
     spent = 0.0
     while spent < repeat:
         result, cpu, wall = _block(solve, calls)
         shares.append((cpu / calls, wall / calls))
         spent += cpu
-    least, most = min(shares)[0], max(shares)[0]
+    least, most = min(shares)[0] or spent / (calls * len(shares)), max(shares)[0]
     return result, Cost(
         solve_cpu=least,
         solve_wall=min(wall for _, wall in shares),
