@@ -76,6 +76,12 @@ def test_the_normal_of_a_face_is_that_wherever_it_lies() -> None:
         assert np.abs(found) == pytest.approx(normal)
 
 
+def test_a_block_finds_the_normals_of_its_faces_once() -> None:
+    block = made(CUBE)
+    assert np.abs(block.normals) == pytest.approx(np.repeat(np.eye(3)[::-1], 2, axis=0))
+    assert block.normals is block.normals
+
+
 def test_a_pyramid_has_its_centroid_at_a_quarter_of_its_height() -> None:
     base = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]]
     vertices = np.array([*base, [0.0, 0.0, 4.0]])

@@ -82,6 +82,11 @@ class Block:
     def _centroid(self) -> Vector:
         return volume_and_centroid(self.vertices, self.faces)[1]
 
+    @functools.cached_property
+    def normals(self) -> Vector:
+        """The outward unit normals of the faces, (f, 3)."""
+        return np.array([face_normal(self.vertices, face) for face in self.faces])
+
     @property
     def strains(self) -> tuple[tuple[int, int], ...]:
         """Pairs i <= j of the scene's axes along which it has a strain (i = j) or shear angle."""

@@ -25,7 +25,18 @@ from tests.scenes.blocks.dda_scenes import (
 )
 from vv.ask import Velocity
 from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare
-from vv.scene import Contact, Mask, Scene, rotated, rotation_about_z, with_bodies_reversed
+from vv.engines.dda.general import model
+from vv.engines.dda.general.unknowns import unknowns_of
+from vv.scene import (
+    Block,
+    Contact,
+    Mask,
+    Scene,
+    Vector,
+    rotated,
+    rotation_about_z,
+    with_bodies_reversed,
+)
 
 
 @pytest.mark.parametrize("way", [PUBLISHED, DEFAULT], ids=["published", "default"])
@@ -54,6 +65,23 @@ def test_the_reduced_kernel_agrees_with_the_general_route_to_rounding(
     assert many.ledger.terms == pytest.approx(dict(few.ledger.terms), abs=1e-9 * few.ledger.peak)
     assert few.steps == many.steps
     assert all(seen <= allowed for seen, allowed in many.ledger.audits.values())
+
+
+def test_the_unknowns_of_a_block_are_found_once_however_often_the_start_is_sought(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    found: list[Block] = []
+
+    def counted(block: Block, axes: Vector) -> tuple[Vector, Vector, Vector]:
+        found.append(block)
+        return unknowns_of(block, axes)
+
+    monkeypatch.setattr(model, "unknowns_of", counted)
+    program = prepare(asked(stack(ALL), 1e-3, 1e9, 0.01), DEFAULT)
+    assert program.formulation.pressed
+    assert program.arguments
+    assert program.model.unknowns > 0
+    assert found == list(program.ask.scene.blocks)
 
 
 def test_the_smallest_model_is_built() -> None:

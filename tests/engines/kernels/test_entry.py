@@ -78,6 +78,18 @@ def test_a_kernel_reads_and_fills_what_python_gives_it(table: Vector) -> None:
     assert thousandths(*arguments(table)) == found
 
 
+def test_types_of_arguments_are_built_once_and_other_types_get_code_of_their_own(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    first, strided = (entry(thousandths, arguments(table)) for table in TABLES)
+    assert first is not strided
+    dispatcher = thousandths.dispatcher  # type: ignore[attr-defined]
+    monkeypatch.setattr(dispatcher, "typeof_pyval", None)
+    larger = np.arange(20.0).reshape(4, 5)
+    assert entry(thousandths, arguments(larger)) is first
+    assert entry(thousandths, arguments(larger[:, ::2])) is strided
+
+
 def test_a_call_keeps_and_frees_nothing_that_it_was_given() -> None:
     given = arguments(TABLES[0])
     call = entry(thousandths, given)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vv.engines.blocks.geometry import depth_axis
-from vv.scene import Block, Scene, Vector, face_normal
+from vv.scene import Block, Scene, Vector
 
 OVERLAP = 1e-6  # of the smaller block's size: a larger overlap at t = 0 is not rounding
 LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
@@ -122,8 +122,7 @@ def _close_pairs(blocks: tuple[Block, ...]) -> Iterator[tuple[Block, Block]]:
 def _separations(one: Block, two: Block) -> Iterator[tuple[float, str]]:
     """The distances of two blocks [m] along all axes that could separate them, with axis names."""
     for block, other in ((one, two), (two, one)):
-        for number, face in enumerate(block.faces):
-            normal = face_normal(block.vertices, face)
+        for number, (face, normal) in enumerate(zip(block.faces, block.normals, strict=True)):
             level = float(block.vertices[face[0]] @ normal)
             apart = float((other.vertices @ normal).min()) - level
             yield apart, f"the normal of face {number} of '{block.name}'"

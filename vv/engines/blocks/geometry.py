@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from vv.scene import Block, Scene, Vector, face_normal
+from vv.scene import Block, Scene, Vector
 
 Index = npt.NDArray[np.int64]
 IN_PLANE = 1e-6  # sine of the largest angle between a face and the axis or plane of its prism
@@ -57,7 +57,7 @@ def shapes(blocks: tuple[Block, ...]) -> Shapes:
         for block, first in zip(blocks, starts[:, 0], strict=False)
         for face in block.faces
     ]
-    normals = np.array([face_normal(b.vertices, face) for b in blocks for face in b.faces])
+    normals = np.concatenate([block.normals for block in blocks])
     edges = _edges(faces, normals, np.repeat(np.arange(len(blocks)), counts[:, 1]))
     return Shapes(
         vertex=np.concatenate([block.vertices - block.centroid() for block in blocks]),
@@ -94,8 +94,7 @@ def depth_axis(scene: Scene) -> Vector:
 
 
 def _is_prism(block: Block, direction: Vector) -> bool:
-    normals = np.array([face_normal(block.vertices, face) for face in block.faces])
-    across = np.abs(normals @ direction)
+    across = np.abs(block.normals @ direction)
     return bool(((across < IN_PLANE) | (across > 1 - IN_PLANE)).all())
 
 

@@ -33,6 +33,7 @@ class Deferred:
     def __init__(self, function: Callable[..., object], wrap: Callable[[Any], Any]) -> None:
         functools.update_wrapper(self, function)
         self._function, self._wrap = function, wrap
+        self.entries: dict[bytes, Callable[..., object]] = {}  # those that `entry` returned
 
     @functools.cached_property
     def dispatcher(self) -> Any:
@@ -150,13 +151,20 @@ def entry(kernel: Kernel, arguments: tuple[Any, ...]) -> Kernel:
     """The machine code of a kernel for the types of these arguments, compiled if necessary.
 
     It may only be called with arguments of these types and does not check them: the check would
-    take longer than a hundred steps of a small scene.
+    take longer than a hundred steps of a small scene. Code is looked up by numba's own key of
+    argument types: to build the types themselves takes hundreds of times as long.
     """
-    dispatcher = cast(Deferred, kernel).dispatcher
-    kinds = tuple(map(dispatcher.typeof_pyval, arguments))
-    if kinds not in dispatcher.overloads:
-        dispatcher.compile(kinds)
-    return cast(Kernel, dispatcher.overloads[kinds].entry_point)
+    from numba import _dispatcher
+
+    known = cast(Deferred, kernel)
+    key = _dispatcher.compute_fingerprint(arguments)
+    if key not in known.entries:
+        dispatcher = known.dispatcher
+        kinds = tuple(map(dispatcher.typeof_pyval, arguments))
+        if kinds not in dispatcher.overloads:
+            dispatcher.compile(kinds)
+        known.entries[key] = dispatcher.overloads[kinds].entry_point
+    return cast(Kernel, known.entries[key])
 
 
 def load() -> None:

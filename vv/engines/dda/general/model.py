@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from vv.engines.blocks.checks import size
-from vv.engines.blocks.geometry import depth_axis, planes, shapes
+from vv.engines.blocks.geometry import Shapes, depth_axis, planes, shapes
 from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.unknowns import initial_rates, unknowns_of
 from vv.engines.dda.limits import (
@@ -44,7 +45,17 @@ class General:
     @property
     def unknowns(self) -> int:
         """The number of unknowns of all blocks."""
-        return sum(len(unknowns_of(b, self.scene.axes)[0]) for b in self.scene.blocks)
+        return sum(len(part[0]) for part in self.parts)
+
+    @functools.cached_property
+    def parts(self) -> list[tuple[Vector, Vector, Vector]]:
+        """The unknowns of each block, as `unknowns_of` returns them."""
+        return [unknowns_of(block, self.scene.axes) for block in self.scene.blocks]
+
+    @functools.cached_property
+    def shape(self) -> Shapes:
+        """The shapes of the blocks."""
+        return shapes(self.scene.blocks)
 
     @property
     def terms(self) -> frozenset[Term]:
@@ -91,13 +102,30 @@ class General:
         start, bodies = self.motion(), self.bodies()
         if all(block.elastic and block.elastic.relaxed for block in self.scene.blocks):
             return self.at_rest(law, rule)._replace(velocity=start.velocity)
-        stiff = General(_stiff(self.scene), self.formulation)
+        stiff = self.stiff()
         rest = stiff.at_rest(law, rule)
         if self.formulation.eased and self.wedged and not start.velocity.any():
             rest = stiff.eased(rest, law, rule)
         own = np.arange(len(start.strain)) < np.repeat(bodies.strains, np.diff(bodies.start))
         start.strain[own] = rest.strain
         return rest._replace(velocity=start.velocity, strain=start.strain)
+
+    def stiff(self) -> General:
+        """The model with rigid blocks in place of elastic ones; itself if there are none."""
+        scene = self.scene
+        if not any(block.elastic for block in scene.blocks):
+            return self
+        bodies = (
+            dataclasses.replace(body, elastic=None) if isinstance(body, Block) else body
+            for body in scene.bodies
+        )
+        return General(dataclasses.replace(scene, bodies=tuple(bodies)), self.formulation)
+
+    def implicit(self) -> General:
+        """The model with the implicit steps of DDA; itself if it has these."""
+        if self.formulation.stepping == IMPLICIT:
+            return self
+        return General(self.scene, dataclasses.replace(self.formulation, stepping=IMPLICIT))
 
     def at_rest(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """The positions in which contacts carry the loads, from a few steps with little inertia.
@@ -152,9 +180,8 @@ class General:
         """The end of `steps` steps, each from rest; over: kn over the inertia stiffness."""
         heaviest = max(block.mass for block in self.scene.blocks)
         dt = float(np.sqrt(2 * heaviest * over / law.kn))
-        still = General(self.scene, dataclasses.replace(self.formulation, stepping=IMPLICIT))
         end = self.motion()
-        given = still.model_arguments(start, end, 0.0, law)
+        given = self.implicit().model_arguments(start, end, 0.0, law)
         self.kernel()(*self.outputs(1, ()), 1, dt, steps, *rule, *given)
         return end
 
@@ -171,7 +198,6 @@ class General:
 
         scene, blocks, choices = self.scene, self.scene.blocks, self.formulation
         base, starts = drives(tuple(wall.motion for wall in scene.walls))
-        shape = shapes(blocks)
         return (
             choices.newton,
             tuple(choices.stepping),
@@ -185,14 +211,14 @@ class General:
             self.bodies(),
             initial,
             end,
-            shape,
+            self.shape,
             np.array([bool(b.free.any() or b.free_spin.any()) for b in blocks]),
             planes(scene),
             base,
             starts,
             drive(scene.shaking or NO_MOTION),
             depth_axis(scene),
-            REACH * float(shape.size.min()),
+            REACH * float(self.shape.size.min()),
             law.kn,
             law.ks or 0.0,
             law.mu or 0.0,
@@ -204,7 +230,7 @@ class General:
         from vv.engines.dda.general.bodies import Bodies
 
         scene, blocks = self.scene, self.scene.blocks
-        parts = [unknowns_of(block, scene.axes) for block in blocks]
+        parts = self.parts
         mass = np.array([block.mass for block in blocks])
         start = np.cumsum([0, *(len(part[0]) for part in parts)]).astype(np.int64)
         return Bodies(
@@ -221,8 +247,7 @@ class General:
         """The stiffness of strains (q, 12) [N m], in the order of each block's unknowns."""
         whole = np.zeros((self.unknowns, 12))
         first = 0
-        for block in self.scene.blocks:
-            part = unknowns_of(block, self.scene.axes)[2]
+        for _, _, part in self.parts:
             whole[first : first + len(part), : len(part)] = part
             first += len(part)
         return whole
@@ -232,7 +257,7 @@ class General:
         from vv.engines.dda.general.bodies import Motion
 
         scene, blocks = self.scene, self.scene.blocks
-        shape = shapes(blocks)
+        shape = self.shape
         centre = np.array([block.centroid() for block in blocks])
         owner = np.repeat(np.arange(len(blocks)), np.diff(shape.vertex_start))
         starts = [initial_rates(b, scene.axes) for b in blocks]
@@ -267,11 +292,3 @@ class General:
         forces = path[:, index, 15:18] + steady
         impulses = path[:, index, 18:21] + np.outer(times, steady)
         return -forces @ axes.T @ axes, -impulses @ axes.T @ axes
-
-
-def _stiff(scene: Scene) -> Scene:
-    """The scene with rigid blocks in place of elastic ones."""
-    bodies = (
-        dataclasses.replace(g, elastic=None) if isinstance(g, Block) else g for g in scene.bodies
-    )
-    return dataclasses.replace(scene, bodies=tuple(bodies))
