@@ -83,7 +83,7 @@ def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
         late,
         value=min(2 * late.value, LARGEST_TOLERANCE),
         late=2 * late.late,
-        reason=f"lagging friction doubles the error of springs: {late.reason}",
+        reason=f"lagging friction doubles this error: {late.reason}",
     )
     return {
         Method.EXACT: STEADY[Method.EXACT],

@@ -125,5 +125,5 @@ def scaled(bound: Tolerance, times: float) -> Tolerance:
     """A bound that is `times` as large, up to the largest tolerance."""
     value = min(times * bound.value, LARGEST_TOLERANCE)
     floor, late = min(times * bound.floor, value), times * bound.late
-    reason = f"{bound.reason}; scaled by the largest drive over the motion"
+    reason = f"{bound.reason}. The bound is scaled by the largest drive over the motion"
     return dataclasses.replace(bound, value=value, floor=floor, late=late, reason=reason)

@@ -165,7 +165,10 @@ def _charted_mode(p: Parameters, point: Point) -> Mode:
 
 
 def _places(p: Parameters, short: bool) -> Exact:
-    turns = "the block turns by up to 0.01 rad, and so does its weight relative to its base"
+    turns = (
+        "the exact answer is that of the first instant. After it the block turns by up to 0.01 "
+        "rad, and its weight relative to its base"
+    )
     springs = "springs need a time to build up their force, which is shorter the stiffer they are"
     swings = "; short steps do not damp the oscillation that this leaves"
     bounds = {
@@ -173,7 +176,7 @@ def _places(p: Parameters, short: bool) -> Exact:
         Method.FIRST_ORDER: Tolerance(
             6e-2,
             "the motion starts half a step late, an error of dt/T, a twentieth at the longest "
-            f"step; and {turns}",
+            f"step; {turns}",
             dt=BRIEF * math.sqrt(p["R"] / p["g"]) / STEPS[0][0],
             order=1,
             floor=TURNS,

@@ -139,7 +139,7 @@ def _undriven() -> tuple[Variant, ...]:
     ]  # fmt: skip
     found += [
         Variant(
-            f"launch-{v0:g}", f"thrown down the dip at {v0:g} m/s", FALL,
+            f"launch-{v0:g}", f"launched down the dip at {v0:g} m/s", FALL,
             {**launched, "v0": v0}, undriven,
         )
         for v0 in (0.01, 0.1, 1.0)

@@ -128,7 +128,7 @@ def _sliding_bounds(p: Parameters) -> Exact:
     """The bounds of a wall that slides, by its courses on springs and by the step."""
     whole = (
         "the step in which slip reverses is not cut: the speed gets an error of up to 2 mu g dt, f "
-        "times a second, and the displacement that error times the time that is left, over D"
+        "times a second; the error of the displacement is that times the time that is left, over D"
     )
     turns = max(1.0, p["mu"] * p["g"] * p["f"] * p["duration"] ** 2 / p["D"] / 20.0)
     bound = min(LARGEST_TOLERANCE, 2e-2 * turns)

@@ -166,9 +166,9 @@ def _modulus_loss(p: Parameters, layers: int, kn: float) -> float:
 
 
 OWN = (
-    "springs in the joints and the weight change the modulus, and the bound is what that changes "
-    "in the exact answer of layers that shear uniformly. The error of the step is what the step "
-    "changes in that answer"
+    "springs in the joints and the weight change the modulus: the bound is the change that this "
+    "causes in the exact answer of layers that shear uniformly. The error of the step is the "
+    "change that the step causes in that answer"
 )
 UNIFORM = (
     f"layers that shear uniformly differ from the wave by as much as their exact answer; {OWN}"

@@ -132,7 +132,7 @@ JUDGED = {
     Method.LAGGING: SINKS,
 }
 ALONG = Exact(dict.fromkeys(
-    JUDGED, Tolerance(1e-11, "no force acts along the edge: only rounding errors of hundreds of "
+    JUDGED, Tolerance(1e-11, "no force acts along the edge: only rounding errors of some hundred "
                       "steps remain")
 ))  # fmt: skip
 CASE = Case(

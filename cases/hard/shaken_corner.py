@@ -134,7 +134,8 @@ def _judge(p: Parameters, unit: float) -> Exact:
     """unit: 1/w [s]; errors are relative to the largest displacement."""
     step, damping = STEPS[0], max(p["z"] + p["zn"], 1 / (math.e * LASTS))
     return Exact({
-        Method.EXACT: Tolerance(1e-12, "no event occurs: only rounding errors over 40/w remain"),
+        Method.EXACT: Tolerance(1e-12, "no event occurs: only rounding errors over a time of 40/w "
+                                "remain"),
         Method.SECOND_ORDER: Tolerance(
             step**2 / (24 * math.e * damping) + step**2 / 8,
             "the phase of the oscillation has a relative error of (w dt)^2/24, which counts most "
@@ -156,9 +157,7 @@ def _balance(unit: float) -> Scalar:
     step, exact = STEPS[0], Tolerance(1e-12, "no event: only rounding errors remain")
     late = "the error of the first half step, since no contact opens or slips"
     second = Tolerance(step**2 / 200, f"{late}: some (w dt)^2/200", dt=step * unit, order=2)
-    first = Tolerance(
-        step / 40, f"{late}, since forces start half a step late", dt=step * unit, order=1
-    )
+    first = Tolerance(step / 40, f"{late}; forces start half a step late", dt=step * unit, order=1)
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
 
 
