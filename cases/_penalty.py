@@ -14,10 +14,11 @@ RUNGS = tuple(Knobs(dt, kn) for kn, steps in STEPS.items() for dt in steps)
 
 
 def levels(*stiffer: Knobs) -> dict[Level, tuple[Knobs, ...]]:
-    """Three steps on the softest springs, where they are cheapest, and one for each stiffer one.
+    """Two steps on the softest springs, where they are cheapest, and one for each stiffer one.
 
-    At the level of the paper there are all of them.
+    These are finer, so that a code whose contact is rigid has three steps at least, of which order
+    is fitted. At the level of the paper there are all settings, with three steps to each stiffness.
     """
-    usual = (*RUNGS[:3], *stiffer)
+    usual = (*RUNGS[:2], *stiffer)
     whole = sorted({*usual, *RUNGS}, key=lambda rung: (rung.kn or 0.0, -(rung.dt or 0.0)))
     return {Level.QUICK: RUNGS[:2], Level.DEFAULT: usual, Level.PAPER: tuple(whole)}

@@ -86,7 +86,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
     allowed = {Method.SECOND_ORDER: CREEP, Method.LAGGING: lags}
     unexplained = EnergyAllowance(borne * LENGTH, allowed) if borne else None
     # only at the finer steps does an error of 1 % of friction show in a wall that slides
-    rungs = dict.fromkeys(Level, FINE if variant in (*SHAKEN, "slides") else RUNGS)
+    fine = variant in (*SHAKEN, "slides")
+    rungs: dict[Level, tuple[Knobs, ...]] = dict.fromkeys(Level, FINE if fine else RUNGS)
+    if variant == "shaken":  # its path is only shown, and each step has its energy judged
+        rungs |= {Level.QUICK: FINE[:1], Level.DEFAULT: FINE[:1]}
     goal = History(p["duration"], p["duration"] / 10)
     return Trial(Ladder(scene, goal, seen, rungs), quantities, unexplained)
 
