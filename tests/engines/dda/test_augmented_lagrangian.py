@@ -177,7 +177,7 @@ def test_a_wedge_that_friction_all_but_holds_begins_to_slide_as_it_should() -> N
 def test_springs_and_walls_of_stones_are_refused() -> None:
     knobs, goal = Knobs(1e-3, 1e8), History(1.0, 0.1)
     sprung = dataclasses.replace(slope(20, 25), contact=Contact(1e8, 1e8, 0.5))
-    told = ((sprung, "contact on springs"), (stack(ALL), "'box' and 'box' turn"))
+    told = ((sprung, "contact on springs"), (stack(ALL), "'box' and 'box' can rotate"))
     for scene, words in told:
         ask = Ask(scene, goal, (Displacement(1),), knobs)
         assert words in (refuses(ask, BORNE) or "")

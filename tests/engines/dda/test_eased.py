@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any
 
 import numpy as np
+import pytest
 
-from tests.scenes.blocks.dda_scenes import run
+from tests.scenes.blocks.dda_scenes import DOWN, FLOOR, G, box, run
 from vv.ask import Knobs
 from vv.case import Series
 from vv.engines.dda import DEFAULT, Formulation
+from vv.engines.dda.general.model import General
+from vv.engines.dda.limits import EASING, FLOAT
+from vv.engines.dda.springs import Springs
 from vv.plan.project import find
-from vv.scene import Contact
+from vv.scene import Contact, Elastic, Scene
 
 SHAKEN_WEDGE, WEDGE = (find().load_case(name) for name in ("shaken-wedge", "wedge"))
 HARDLY = {"dip": 33.2, "xi": 1.18, "A": 1.92}  # friction almost holds it: velocities do not decay
@@ -51,3 +56,29 @@ def test_what_friction_holds_stays() -> None:
     for asked, stays in ((ask, False), (held, True)):
         way = run(asked, DEFAULT).values[ask.observables[0]] @ ask.scene.axes[0]
         assert (np.abs(way).max() <= 0.1 * pressed) == stays
+
+
+def test_rounds_end_as_soon_as_a_wedge_slides_evenly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each round takes three runs, after the two in which loads are taken up."""
+    calls, settled = list[float](), General.settled
+
+    def counted(self: General, start: Any, law: Any, over: float, *given: Any) -> Any:
+        calls.append(over)
+        return settled(self, start, law, over, *given)
+
+    monkeypatch.setattr(General, "settled", counted)
+    study = SHAKEN_WEDGE.declare("level", SHAKEN_WEDGE.defaults("level")).study
+    run(study.ask(Knobs(1e-3, 1e9)), DEFAULT)
+    assert calls[2:] == 3 * [EASING]
+
+
+def test_a_block_on_its_contacts_sinks_by_no_more_than_its_loads_over_their_stiffness() -> None:
+    """By orders of magnitude more, and by what an elastic block is compressed besides."""
+    stiff = Springs(1e9, 4e8, 0.5)
+    cube = box((0.4, 0.4, 0.4), 2000.0)
+    body = dataclasses.replace(cube, load=np.array([3e3, 0.0, cube.mass * G]))
+    floats = General(Scene((FLOOR, body), Contact(math.inf), gravity=DOWN), DEFAULT)
+    assert floats.sinks(stiff) == pytest.approx(FLOAT * 3e3 / 1e9)
+    soft = dataclasses.replace(body, elastic=Elastic(1e8, 0.25))
+    gives = General(Scene((FLOOR, soft), Contact(math.inf), gravity=DOWN), DEFAULT)
+    assert gives.sinks(stiff) == pytest.approx(FLOAT * 3e3 * (1 / 1e9 + 1 / (1e8 * 0.8)))
