@@ -113,8 +113,8 @@ def _sphere_quantities(motion: Motion, step: float, p: Parameters) -> tuple[Quan
     along = _judge(step, max(2e-4, _tangential_error(motion, step, p)) + arm, 5e-4, arm)
     ways = (
         ("x", "along the throw", along),
-        ("y", "horizontal, across the throw", NOWHERE),
-        ("z", "up", up),
+        ("y", "horizontally, across the throw", NOWHERE),
+        ("z", "upwards", up),
     )
     parts = [
         motion.component(i, axis, f"displacement of the sphere {how}", by)
@@ -194,7 +194,7 @@ OF_PAIR = (
     "whole time, a = P (1/m1 + 1/m2)",
 )
 ROUNDED = 1e-11  # of the displacement: rounding errors where nothing pushes
-PARTS = (("x", "along the initial line of centres", 0), ("y", "across it", 1))
+PARTS = (("x", "along the initial line of centres", 0), ("y", "across that line", 1))
 NOWHERE: Judge = Exact(dict.fromkeys(
     (Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER),
     Tolerance(1e-12, "no force acts in this direction, or it is locked: only rounding errors "

@@ -162,7 +162,7 @@ def _judge(bound: float, coarsest: float, reason: str) -> Exact:
     }, not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS))  # fmt: skip
 
 
-OTHERS = "the phase advance of waves per step is that of a leapfrog"
+OTHERS = "the bounds are those of the phase of waves in a leapfrog"
 BALANCED = "the load only balances the contacts at the start, and does not lower the order; "
 TURNS = "the phase of a leapfrog is too fast by (w dt)^2/24"
 LATE = (

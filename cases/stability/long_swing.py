@@ -154,7 +154,8 @@ def _phase_bounds(reason: str, w: float) -> Exact:
 
 
 OTHERS = dict.fromkeys(
-    (Method.SECOND_ORDER, Method.FIRST_ORDER), "phase and energy are those of a leapfrog"
+    (Method.SECOND_ORDER, Method.FIRST_ORDER),
+    "the bounds are those of the phase and the energy of a leapfrog",
 )
 ONLY_NEAR = "springs that represent a bond do so for small stretches only"
 ANGLES = (0.4, 0.2, 0.1, 0.05)  # w dt [rad]
@@ -180,7 +181,7 @@ THEORY = Tolerance(1e-12, "the phase of a leapfrog is known; rounding moves it b
 TURNS = Exact(
     {Method.LEAPFROG: THEORY, Method.LATE_LEAPFROG: THEORY},
     not_judged=dict.fromkeys(
-        (Method.EXACT, Method.LINEARISED), "it has no steps with a known phase"
+        (Method.EXACT, Method.LINEARISED), "this class has no steps with a known phase"
     )
     | {**OTHERS, Method.PENALTY: ONLY_NEAR},
 )
