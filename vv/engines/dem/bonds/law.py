@@ -69,7 +69,7 @@ def sheared_by(s: Triple, m: Triple, half: Triple) -> Triple:
 
 @inlined
 def exceeds_strength(along: float, across: Triple, tension: float, shear: float, mu: float) -> bool:
-    """Whether a bond breaks: its pull exceeds `tension`, or its shear force shear - mu times it."""
+    """Whether a bond breaks: its pull > `tension`, or its shear force > shear - mu pull."""
     most = shear - mu * along
     return (along > tension) | (most < 0.0) | (dot(across, across) > most * most)
 

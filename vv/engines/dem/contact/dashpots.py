@@ -18,7 +18,7 @@ from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
-SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T has a condition of at most 2 and takes some tens
+SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T, whose condition is at most 2, takes some tens
 SETTLED = 1e-15  # change of a last sweep, relative to the largest force
 SPRING, RATE, FORCE = 3, 4, 5  # columns after those of the normal
 
