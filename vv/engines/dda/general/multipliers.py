@@ -1,8 +1,9 @@
 """Augmented Lagrangian: multipliers take over the forces of springs until gaps are zero.
 
-A spring carries only the force that its multiplier does not. Its length is reduced by the rest, so
-that open-close and Newton's iteration see a contact with another gap and tangential stretch (Lin,
-Amadei, Jung and Dwyer 1996; with friction Simo and Laursen 1992). Such a contact stores no energy.
+A spring carries only the force that its multiplier does not: its gap and stretch are shifted by the
+multiplier over the stiffness, and open-close and Newton's iteration take the shifted values for
+those of the contact (Lin, Amadei, Jung and Dwyer 1996; with friction Simo and Laursen 1992). Such a
+contact stores no energy.
 """
 
 from __future__ import annotations
