@@ -63,7 +63,7 @@ class Knobs:
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise ValueError(f"{name} = {value!r} {unit}; a knob must be positive and finite")
         if self.dd is not None and not 0 <= self.dd <= 1:
-            raise ValueError(f"dd = {self.dd!r}; a step hands on a part between 0 and 1")
+            raise ValueError(f"dd = {self.dd!r}; a step keeps a fraction between 0 and 1")
 
 
 class SearchVariable(enum.Enum):

@@ -28,7 +28,7 @@ def error_scale(name: str, scale: Number) -> float:
     return size
 
 
-REST = 1e-12  # of the way that stands for none: a reference below it is rest, and its rounding
+REST = 1e-12  # fraction of `still`: a reference that is smaller throughout is rest with rounding
 
 
 def at_rest(largest: float, still: float | None) -> bool:

@@ -14,8 +14,8 @@ from vv.ask import Ask, Displacement, Method, Model, Run, SearchVariable, Status
 from vv.scene import Form, Scene, Term, in_frame
 
 Waiting = Callable[[], AbstractContextManager[None]]
-# The classes of a leapfrog with springs where a scene has rigid contact, and where dashpots take
-# the velocity of half a step before.
+# The classes of a leapfrog with springs: for rigid contact, and for dashpots that use the velocity
+# of half a step before.
 LEAPFROG_ON_SPRINGS: Mapping[Term, Method] = {
     Term.RIGID_CONTACT: Method.PENALTY,
     Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
@@ -58,7 +58,7 @@ class Scheme:
 class Found:
     """Whether a code can run here.
 
-    files: what its results depend on besides our sources. load: loads into memory what every worker
+    files: what its results depend on besides our sources. load: loads the modules that every worker
     needs, once, before workers are forked. may_wait: gives a block in which its program, after an
     answer, waits for more asks (`vv.codes.reused_program`); None if the program always ends.
     """
@@ -92,7 +92,7 @@ class Adapter(Protocol):
         """Its schemes; the first is the default."""
 
     def found(self) -> Found:
-        """Look for the code on this machine; cheap, no imports of heavy libraries."""
+        """Look for the code on this machine; this is quick and imports no heavy libraries."""
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """Why an ask is refused although all its terms are supported; else None."""
@@ -104,7 +104,7 @@ class Adapter(Protocol):
         """The code's own input for an ask, which runs alone; for in-house codes a Python script."""
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Yield one Run per ask, in order, each as soon as it is there.
+        """Yield one Run per ask, in order, each as soon as it is complete.
 
         scratch: an empty folder. repeat: 0 for one solve; otherwise solves are repeated for about
         that many CPU seconds, and the smallest cost is reported. Only the cost of such a run is
@@ -113,7 +113,7 @@ class Adapter(Protocol):
 
 
 def known_beforehand(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
-    """The outcome if a scheme refuses or is not installed, else None; refusals come first."""
+    """The run of a scheme that refuses or is not installed, else None; refusals come first."""
     missing = unsupported(scheme, ask.scene.terms())
     if missing:
         terms = ", ".join(sorted(_lacked(scheme, term) for term in missing))
@@ -121,7 +121,7 @@ def known_beforehand(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -
     if hidden := unreported(scheme, ask):
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
     if ask.knobs.dd is not None and "dd" not in scheme.knobs:
-        return Run(Status.REFUSED, f"its steps hand on all velocity, and not dd = {ask.knobs.dd:g}")
+        return Run(Status.REFUSED, f"its steps keep all velocity, not dd = {ask.knobs.dd:g}")
     reason = no_steps(ask) or adapter.refuses(ask, scheme.name)
     if reason is not None:
         return Run(Status.REFUSED, reason)
@@ -134,17 +134,17 @@ def _lacked(scheme: Scheme, term: Term) -> str:
 
 
 def no_steps(ask: Ask) -> str | None:
-    """Why the steps do not fit an ask: longer than its duration, or none to search among."""
+    """Why the step does not fit an ask: longer than its duration, or missing in a search."""
     dt = ask.knobs.dt
     if dt is None and ask.search is not None and ask.search.variable is SearchVariable.STEP:
-        return "it has no step, of which the largest stable one is searched"
+        return "it has no time step, so that there is no largest stable one"
     if dt is None or ask.goal.steps(dt) > 0:
         return None
     return f"dt = {dt:g} s is longer than the {ask.goal.duration:g} s to be run"
 
 
 def no_drag(scene: Scene) -> str | None:
-    """Why a scheme that differs from the default in drag alone is refused: there is no drag."""
+    """Why a scheme that differs from the default in drag only refuses a scene: it has no drag."""
     return None if scene.eta else "there is no drag, so that the result would be that of `default`"
 
 

@@ -14,12 +14,12 @@ from vv.scene import Scene, Vector
 
 
 def as_it_is(scene: Scene) -> Scene:
-    """The scene itself."""
+    """The scene unchanged."""
     return scene
 
 
 def no_fault(ask: Ask, run: Run) -> str | None:
-    """Nothing is wrong."""
+    """None: no run is wrong."""
     return None
 
 
@@ -30,7 +30,7 @@ class DriverAdapter:
     refusal: why it cannot represent an ask although it has every term, else None. plan: the input
     of the driver. frame: the axes (3, 3) in which it answers, in those of the scene. notes: how it
     represents scenes. integrated: the scene whose degrees of freedom it integrates for a given one.
-    fault: why a run that came to its end is wrong nevertheless, else None.
+    fault: why a finished run is wrong nevertheless, else None.
     """
 
     scheme: Scheme
@@ -53,15 +53,15 @@ class DriverAdapter:
         return (self.scheme,)
 
     def found(self) -> Found:
-        """Look for its environment."""
+        """Look for the environment of the code."""
         return self.driver.home.find()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What it cannot represent although it has every term."""
+        """Why the code cannot represent an ask although it has every term; else None."""
         return self.refusal(ask)
 
     def describe(self, ask: Ask, scheme: str) -> Model:
-        """The degrees of freedom that it integrates, and how it represents the scene."""
+        """The model: the integrated degrees of freedom, and how it represents the scene."""
         scene = self.integrated(ask.scene)
         terms = ask.scene.terms() | scene.terms()
         return Model(scene.unknowns(), terms, "; ".join(self.notes))

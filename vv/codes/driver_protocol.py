@@ -22,7 +22,7 @@ Sines = list[tuple[list[float], float, float]]  # amplitude along x, y, z; rad/s
 
 
 class RunError(Exception):
-    """A run that must not count: its status and reason."""
+    """A run without a valid result: its status and reason."""
 
     def __init__(self, status: str, reason: str) -> None:
         super().__init__(reason)
@@ -50,7 +50,7 @@ Simulate = Callable[[Plan, bool, Stopwatch], tuple[Any, Plan]]
 
 
 def swung(sines: Sines, t: float, derivative: int = 0) -> tuple[float, float, float]:
-    """Sum of A sin(w t + phase) along x, y, z, or of its first or second derivative in time."""
+    """The sum of A sin(w t + phase) along x, y, z, or its first or second time derivative."""
     x = y = z = 0.0
     for (a, b, c), omega, phase in sines:
         part = math.sin(omega * t + phase + derivative * math.pi / 2) * omega**derivative
@@ -61,13 +61,13 @@ def swung(sines: Sines, t: float, derivative: int = 0) -> tuple[float, float, fl
 def solve(ask: Plan, simulate: Simulate, repeat: float) -> tuple[Any, Plan]:
     """Observables of one ask, and their cost.
 
-    repeat: the run is repeated without observables until its steps alone took that many CPU
-    seconds, at least three times; the minimum is reported.
+    repeat: the run is repeated without observables, at least three times, until its steps took that
+    many CPU seconds; the minimum is reported.
     """
     watch = Stopwatch()
     values, facts = simulate(ask, True, watch)
     if not np.isfinite(values).all():
-        raise RunError("diverged", "what is observed is not finite")
+        raise RunError("diverged", "an observable is not finite")
     runs = [watch.laps]
     while repeat and (len(runs) < 4 or sum(laps["steps"][0] for laps in runs) < repeat):
         watch = Stopwatch()
@@ -104,7 +104,7 @@ def answer(path: str, simulate: Simulate, ready: float) -> None:
 
 
 def serve(simulate: Simulate) -> None:
-    """Answer the asks in the files named, or print the answer to the one filled in."""
+    """Answer the asks in the files named, or print the answer to ASK."""
     if ASK is None:
         ready = time.monotonic()
         for path in sys.argv[1:]:

@@ -18,8 +18,8 @@ from pathlib import Path
 from vv.ask import Run, Status
 from vv.base.processes import end_with_descendants
 
-POLL = 0.02  # s between two looks for a result; a look costs some 10 us
-LARGEST_LOG = 64_000_000  # bytes that a program may say; more is a fault, and would fill a disk
+POLL = 0.02  # s between two checks for a result; one costs about 10 us
+LARGEST_LOG = 64_000_000  # bytes of output after which a program is stopped, before it fills a disk
 TAIL = 65_536  # bytes of a log in which its last lines are looked for
 LONGEST = 300  # characters of a line that is quoted
 FAREWELL = 2.0  # s that a program may take to end after its last answer
@@ -87,7 +87,7 @@ def sizes(folder: Path) -> Iterator[tuple[Path, int]]:
     """Yield (file, bytes) of all files below a folder; links are not followed."""
     for place, _, names in os.walk(folder):
         for path in (Path(place, name) for name in names):
-            with contextlib.suppress(OSError):  # it may be gone by now
+            with contextlib.suppress(OSError):  # it may have been removed meanwhile
                 yield path, path.lstat().st_size
 
 
@@ -109,13 +109,13 @@ def how_it_ended(program: Process, lines: int = 5) -> str:
 
 
 def last_lines(log: Path, count: int) -> str:
-    """The last lines of a log that hold anything, joined, or a word that there are none."""
+    """The last non-empty lines of a log, joined, or a phrase that says there are none."""
     kept = _lines(log)[-count:]
     return "last output: " + " | ".join(kept) if kept else "no output"
 
 
 def last_line(log: Path) -> str:
-    """The last line of a log that holds anything; empty if there is none."""
+    """The last non-empty line of a log; empty if there is none."""
     return "".join(_lines(log)[-1:])
 
 
@@ -126,7 +126,7 @@ def _lines(log: Path) -> list[str]:
 
 
 def _size(log: Path) -> int:
-    """Bytes of a log; none if the program removed it."""
+    """The size of a log in bytes; 0 if the program removed it."""
     return log.stat().st_size if log.is_file() else 0
 
 
@@ -167,7 +167,7 @@ def run_batch(
 def _answers(
     indices: Sequence[int], launch: Launch, collect: Collect, dismiss: Dismiss
 ) -> Iterator[Run]:
-    """Yield what one program answers, and a failure for the ask during which it ended."""
+    """Yield the answers of one program, and a failure for the ask during which it ended."""
     if not indices:
         return
     try:
@@ -188,7 +188,7 @@ def _answers(
 
 
 def _why_no_answer(program: Process) -> str:
-    """Why a program that has ended gave no answer; of an endless log only the beginning is kept."""
+    """Why an ended program gave no answer; only the beginning of an oversized log is kept."""
     how = how_it_ended(program)
     if _size(program.log) <= LARGEST_LOG:
         return f"the program ended early: {how}"
@@ -197,9 +197,9 @@ def _why_no_answer(program: Process) -> str:
 
 
 def _awaited(index: int, program: Process, collect: Collect) -> Run | None:
-    """The answer to an ask as soon as it is there; None if the program ended without it."""
+    """The answer to an ask, once it is complete; None if the program ended without it."""
     while True:
-        ended = program.process.poll() is not None  # looked at first: a last answer still counts
+        ended = program.process.poll() is not None  # before reading: a last answer counts
         run = collect(index, program)
         if run is not None or ended:
             return run

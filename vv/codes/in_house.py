@@ -1,4 +1,4 @@
-"""The codes that are part of vv: an engine's functions put together as an adapter."""
+"""Adapters of the codes that are part of vv, each made from the functions of an engine."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ class Solver:
     """How an engine solves asks by one scheme.
 
     function: the name of the function of the engine's module that a script calls. refuses: why it
-    cannot, though it has every term. describe: what would be built. solve: the run, with its
-    cost; repeat [CPU s] is that of `vv.codes.Adapter.run`.
+    refuses an ask although it has every term. describe: the model that it would build. solve: the
+    run, with its cost; repeat [CPU s] is that of `vv.codes.Adapter.run`.
     """
 
     scheme: Scheme
@@ -34,10 +34,10 @@ class Solver:
 
 @dataclass(frozen=True)
 class InHouse:
-    """A code of ours as the framework sees it: see `vv.codes.Adapter`.
+    """An in-house code: see `vv.codes.Adapter`.
 
-    module: the engine's, which scripts import. solvers: one for each scheme, the default first.
-    found: looks whether the code can run here.
+    module: the module of the engine, which scripts import. solvers: one for each scheme, the
+    default first. found: checks whether the code can run here.
     """
 
     name: str
@@ -51,7 +51,7 @@ class InHouse:
         return tuple(solver.scheme for solver in self.solvers)
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """Why an ask cannot be run though all its terms are supported; else None."""
+        """Why an ask is refused although all its terms are supported; else None."""
         return self._solver(scheme).refuses(ask)
 
     def describe(self, ask: Ask, scheme: str) -> Model:
@@ -77,7 +77,7 @@ def compiled(
     refuses: Callable[[Ask], str | None],
     prepare: Callable[[Ask], Prepared[Any]],
 ) -> Solver:
-    """The solver of an engine that makes a solve ready, then has numba's kernels do it.
+    """The solver of an engine that prepares a solve, which numba's kernels then carry out.
 
     For the cost see `run_timed`.
     """
@@ -92,7 +92,7 @@ def compiled(
 
 
 def part_of_vv() -> Found:
-    """Whether it can be compiled here; numba is brought into memory for all its workers at once."""
+    """Whether kernels can be compiled here; numba is loaded once, for all workers."""
     if importlib.util.find_spec("numba") is None:
         return Found(False, how_to_install="pip install numba")
     return Found(True, vv.__version__, load=_load_compiler)

@@ -37,13 +37,13 @@ class PythonEnvironment:
     packages: tuple[str, ...]
 
     def find(self) -> Found:
-        """Its version, its Python, and the lists of its files with their digests."""
+        """Find its version, its Python, and the lists of its files with their digests."""
         chosen = os.environ.get("VV_CODES", "")
         places = [Path(chosen)] if chosen else [CHECKOUT / ".codes", Path.cwd() / ".codes"]
         return _find(self, tuple(places))
 
 
-@functools.cache  # it is asked for every job, and a look takes some milliseconds
+@functools.cache  # it is called for every job, and a search takes some milliseconds
 def _find(home: PythonEnvironment, places: tuple[Path, ...]) -> Found:
     how = f"make setup CODES={home.name}, or set VV_CODES to a folder that holds {home.name}/"
     for place in places:
@@ -69,12 +69,12 @@ class Driver:
     file: Path
 
     def script(self, plan: Plan | None = None, notes: str = "") -> str:
-        """The script that runs in the code's Python; with a plan, alone, and it prints."""
+        """The script for the code's Python; with a plan it runs alone and prints the answer."""
         shared, own = Path(driver_protocol.__file__).read_text(), _alone(self.file.read_text())
         whole = f"{shared}\n\n{own}"
         if plan is None:
             return whole
-        plain = json.loads(json.dumps(plan))  # numbers of numpy would be written with their type
+        plain = json.loads(json.dumps(plan))  # numpy scalars would be written with their type
         literal = pprint.pformat(plain, width=99, sort_dicts=False)
         heading = "".join(f"# {note}\n" for note in notes.split("; ") if note)
         return whole.replace(EMPTY, f"{heading}ASK: dict[str, Any] | None = {literal}\n")
@@ -102,7 +102,7 @@ class Driver:
             file.write_text(json.dumps({**plan, "repeat": repeat}))
 
         def launch(indices: Sequence[int]) -> external.Process:
-            # -E: variables meant for our own Python must not reach this one
+            # -E: environment variables for our own Python must not affect this one
             command = [found.path, "-E", str(source), *(str(files[i]) for i in indices)]
             return external.start(command, scratch)
 
@@ -116,7 +116,7 @@ class Driver:
 def parse(path: Path, ask: Ask, model: Model, frame: Vector, started: float) -> Run | None:
     """The Run in the answer to the ask in the file `path`; None if there is no answer yet.
 
-    started: when the program was [s, monotonic]. An answer of another shape is an error.
+    started: the start time of the program [s, monotonic]. An answer of another shape is an error.
     """
     answer = path.with_name(path.name + ".answer")
     if not answer.exists():

@@ -16,7 +16,7 @@ from vv.codes.external import Process
 
 
 class ReusedProgram:
-    """The program of a code: the one that waits, or one that is started now."""
+    """The program of a code: one that waits for asks, or a new one."""
 
     def __init__(self) -> None:
         self._may_wait = False
@@ -24,7 +24,7 @@ class ReusedProgram:
 
     @contextlib.contextmanager
     def may_wait(self) -> Iterator[None]:
-        """Let it wait for more in this block; the caller ends it with its other children."""
+        """Let the program wait for more asks in this block; the caller ends it afterwards."""
         before, self._may_wait = self._may_wait, True
         try:
             yield
@@ -38,7 +38,7 @@ class ReusedProgram:
         extra: Mapping[str, str],
         asks: Sequence[Path],
     ) -> Process:
-        """Have it answer asks; what starts it, and where: see `vv.codes.external.start`."""
+        """Send asks to the waiting program, or to one started as by `vv.codes.external.start`."""
         listed = folder / f"asks-{len(list(folder.glob('asks-*.txt')))}.txt"
         listed.write_text("".join(f"{path}\n" for path in asks))
         waiting, self._waiting = self._waiting, None
@@ -47,11 +47,11 @@ class ReusedProgram:
                 return waiting
             _end(waiting, False)
         program = external.start(command, folder, extra, stdin=subprocess.PIPE)
-        _told(program, listed)  # if it has ended at once, that is seen where its answer is missing
+        _told(program, listed)  # if it has ended already, its answer will be missing
         return program
 
     def dismiss(self, program: Process, whole: bool) -> None:
-        """Let a program wait that has answered the whole of a list; end any other."""
+        """Keep a program that has answered its whole list waiting; end any other."""
         if whole and self._may_wait:
             self._waiting = program
             return
@@ -59,7 +59,7 @@ class ReusedProgram:
 
 
 def _told(program: Process, listed: Path) -> bool:
-    """Whether a list could be sent to a program that still runs."""
+    """Send a list to a program; returns whether the program still ran and could read it."""
     if program.process.poll() is not None or program.process.stdin is None:
         return False
     try:
@@ -70,7 +70,7 @@ def _told(program: Process, listed: Path) -> bool:
 
 
 def _end(program: Process, whole: bool) -> None:
-    """Tell a program that nothing follows, and make sure that it ends."""
+    """Close the input of a program, and make sure that it ends."""
     if program.process.stdin is not None:
         program.process.stdin.close()
     external.end(program, whole)

@@ -90,7 +90,7 @@ def _bracketed(opening: str, parts: list[str], closing: str, indent: int) -> str
 
 
 def _stated(value: Any) -> Iterator[tuple[str, Any]]:
-    """The fields that must be written: those which their default would not give back."""
+    """The fields that must be written: those that differ from their defaults."""
     for field in dataclasses.fields(value):
         default: Any = field.default
         if field.default_factory is not dataclasses.MISSING:
@@ -103,7 +103,7 @@ def _stated(value: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _kinds(value: Any) -> Iterator[type]:
-    """The classes that the expression for `value` calls."""
+    """The classes that the expression for `value` uses."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         yield type(value)
         for _, part in _stated(value):

@@ -10,18 +10,18 @@ from vv.ask import Cost, Model, Run
 T = TypeVar("T")
 
 
-BLOCK = 1e-3  # CPU seconds of solves between two looks at the clock, which cost a microsecond
+BLOCK = 1e-3  # CPU seconds of solves between two readings of the clock, which cost a microsecond
 
 
 def timed(solve: Callable[[], T], repeat: float) -> tuple[T, Cost]:
     """Call `solve` and return its result with the cost of one call.
 
     repeat: 0 for one call; otherwise calls are repeated until about that many CPU seconds have
-    passed, in blocks that are long compared with the resolution of the clock. The CPU and wall
-    seconds are those of one call in the cheapest block; the first call only fills caches, unless it
-    took all of `repeat`. A process with a limit of CPU time (`ulimit -t`) has a CPU clock that
-    moves every few milliseconds: where it stands still, the wall clock says how many calls make a
-    block, and the mean of all blocks is what a call takes.
+    passed, in blocks that are long compared with the resolution of the clock. The cost is that of
+    one call in the cheapest block; the first call only fills caches, unless it took all of
+    `repeat`. A process with a limit of CPU time (`ulimit -t`) has a CPU clock that moves every few
+    milliseconds: where it stands still, the wall clock says how many calls make a block, and the
+    mean of all blocks is what a call takes.
     """
     result, cpu, wall = _block(solve, 1)
     if cpu >= repeat:
@@ -47,13 +47,13 @@ class Prepared(Protocol[T]):
 
     @property
     def model(self) -> Model:
-        """What was built for it."""
+        """The model that was built."""
 
     def warm(self) -> None:
-        """Load the kernel, or compile it."""
+        """Load or compile the kernel."""
 
     def solve(self) -> T:
-        """Do what is timed."""
+        """Solve; only this is timed."""
 
     def run(self, rows: T, /) -> Run:
         """Collect the results of a solve."""

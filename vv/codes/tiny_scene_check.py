@@ -11,9 +11,9 @@ from vv.base.metrics import observed_order
 from vv.codes.adapter import Scheme
 from vv.codes.tiny_scenes import STEPS, TinyScene, error, likeness
 
-GOOD = 0.02  # of the largest value: a larger error at the finest step is a wrong answer
-ROUNDING = 1e-9  # below which an order in dt says nothing
-SHORTFALL = 0.5  # by how much an observed order may miss what is claimed
+GOOD = 0.02  # fraction of the largest value: a larger error at the finest step is a wrong answer
+ROUNDING = 1e-9  # relative errors below it are rounding and show no order in dt
+SHORTFALL = 0.5  # how far an observed order may lie below the claimed one
 ORDERS = {Method.SECOND_ORDER: 2.0, Method.FIRST_ORDER: 1.0}
 
 

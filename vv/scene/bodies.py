@@ -55,7 +55,7 @@ class Spheres:
         return len(self.radius)
 
     def part(self, rows: slice) -> Spheres:
-        """The spheres of these rows, with all that is stated of them."""
+        """The spheres of these rows, with all their data."""
         rest = {field.name: getattr(self, field.name)[rows] for field in fields(self)}
         return replace(self, **rest)
 

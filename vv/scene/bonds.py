@@ -59,7 +59,7 @@ class Bonds:
 
     @property
     def breakable(self) -> Mask:
-        """(b,) which bonds have a finite strength."""
+        """A mask (b,) of the bonds with a finite strength."""
         return np.isfinite(self.tension) | np.isfinite(self.shear)
 
 

@@ -25,7 +25,7 @@ class Form(enum.Enum):
 
     @property
     def dissipated(self) -> bool:
-        """Whether it is heat, which can only grow."""
+        """Whether it is dissipated energy, which can only grow."""
         return self in _HEAT
 
 

@@ -1,4 +1,4 @@
-"""The forces of contacts and bonds on spheres as they start."""
+"""The forces of contacts and bonds on spheres at t = 0."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vv.scene.scene import Scene
 
 
 def initial_normal_forces(scene: Scene) -> Vector:
-    """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
+    """The (n, 3) normal forces [N] of contacts and bonds on the spheres at t = 0."""
     spheres, force = scene.spheres, _pull(scene) + initial_wall_forces(scene)
     pairs = unbonded(scene, overlapping(spheres))
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
@@ -25,7 +25,7 @@ def initial_normal_forces(scene: Scene) -> Vector:
 
 
 def initial_wall_forces(scene: Scene) -> Vector:
-    """The (n, 3) normal forces [N] of walls alone on the spheres as they start."""
+    """The (n, 3) normal forces [N] of the walls on the spheres at t = 0."""
     spheres, force = scene.spheres, np.zeros((len(scene.spheres), 3))
     for wall in scene.walls:
         gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
@@ -36,7 +36,7 @@ def initial_wall_forces(scene: Scene) -> Vector:
 
 
 def _stiffness(scene: Scene, overlap: Vector, curvature: Vector) -> Vector:
-    """Force over overlap [N/m] of contacts of these overlaps [m], which are not negative."""
+    """The secant stiffness [N/m], force over overlap, of contacts with these overlaps [m] >= 0."""
     law = scene.contact
     if law.hertz is None:
         return np.full(len(overlap), law.kn)
@@ -44,14 +44,14 @@ def _stiffness(scene: Scene, overlap: Vector, curvature: Vector) -> Vector:
 
 
 def unbonded(scene: Scene, pairs: Pairs) -> Pairs:
-    """Those of the pairs i < j (k, 2) of spheres that no bond joins."""
+    """The pairs i < j (k, 2) of spheres that are not bonded."""
     count = len(scene.spheres)
     low, high = np.sort(scene.bonded_pairs, axis=1).T
     return pairs[~np.isin(pairs[:, 0] * count + pairs[:, 1], low * count + high)]
 
 
 def _pull(scene: Scene) -> Vector:
-    """The (n, 3) forces [N] of bonds on the spheres as they start."""
+    """The (n, 3) forces [N] of bonds on the spheres at t = 0."""
     force = np.zeros((len(scene.spheres), 3))
     if scene.bonds is not None:
         i, j = scene.bonded_pairs.T

@@ -18,8 +18,8 @@ HALF = [step for step in itertools.product((-1, 0, 1), repeat=3) if step >= (0, 
 def overlapping(spheres: Spheres, least: float = 0.0) -> Pairs:
     """The pairs i < j (k, 2) of spheres closer than (1 - least) of the sum of their radii.
 
-    They are sorted by i, then j. A cell is as wide as the largest sphere, so that what overlaps
-    lies in the same cell or in neighbours of it.
+    They are sorted by i, then j. A cell is as wide as the largest sphere, so that overlapping
+    spheres lie in the same cell or in neighbouring ones.
     """
     pairs = np.concatenate([np.zeros((0, 2), np.int64), *_candidates(spheres)])
     i, j = np.sort(pairs, axis=1).T

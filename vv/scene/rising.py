@@ -12,14 +12,14 @@ from vv.scene.arrays import Vector
 from vv.scene.block import Block
 from vv.scene.bodies import Wall
 
-ACROSS = 1e-9  # sine of the angle below which a direction holds no part of a normal
-HIGHEST, SAMPLES = 64, 256  # multiple of a frequency that is looked at, and places a period of it
-ALIKE = 1e-12  # part of a frequency by which it may miss a multiple
-SLACK = 1e-6  # of the block's size: a rise that is no rounding
+ACROSS = 1e-9  # sine of the angle to the wall below which a direction is parallel to the wall
+HIGHEST, SAMPLES = 64, 256  # the highest multiple of a frequency, and samples in a period of it
+ALIKE = 1e-12  # relative difference from a multiple that counts as rounding
+SLACK = 1e-6  # fraction of the block's size; a smaller rise counts as rounding
 
 
 def rises_into(walls: Sequence[Wall], blocks: Sequence[Block], axes: Vector) -> str | None:
-    """Which wall may rise, along its normal, further than a block that is held there allows."""
+    """Why rigid contact has no answer: a wall rises into a locked block; None if no wall does."""
     for number, wall in enumerate(walls):
         rise = highest_rise(wall)
         for block in blocks:
@@ -35,11 +35,11 @@ def rises_into(walls: Sequence[Wall], blocks: Sequence[Block], axes: Vector) -> 
 
 
 def highest_rise(wall: Wall) -> float:
-    """How far a wall rises above its place at t = 0, along its normal [m], if it moves for ever.
+    """The largest rise [m] of a wall along its normal since t = 0, over all times.
 
     Sines of one frequency are summed with their phases. If all frequencies are multiples of one,
-    the maximum is that of a period; otherwise all maxima are assumed to coincide, as in the long
-    run they nearly do.
+    the maximum over a period is taken. Otherwise the sum of all maxima is, since it is approached
+    in the long run.
     """
     if wall.motion is None:
         return 0.0
@@ -56,7 +56,7 @@ def highest_rise(wall: Wall) -> float:
 
 
 def harmonics(frequencies: Sequence[float]) -> list[int] | None:
-    """Of which multiples of one frequency these are, if they are and none is beyond `HIGHEST`."""
+    """The frequencies as multiples of a common one; None if a multiple would exceed `HIGHEST`."""
     if not frequencies:
         return None
     first = min(frequencies)
@@ -73,8 +73,8 @@ def harmonics(frequencies: Sequence[float]) -> list[int] | None:
 def top_of_period(tops: Sequence[complex], multiples: Sequence[int]) -> float:
     """The maximum of a sum of sines, the imaginary parts of top exp(i n x), over all x.
 
-    It is the vertex of a parabola through the highest of many samples and its neighbours, exact to
-    1e-8.
+    It is the vertex of a parabola through the highest of many samples and its two neighbours,
+    accurate to 1e-8.
     """
     x = np.linspace(0.0, 2 * np.pi, SAMPLES * max(multiples), endpoint=False)
     height = sum(

@@ -70,14 +70,14 @@ class Scene:
 
     @functools.cached_property
     def locked_velocity(self) -> Vector:
-        """(n, 3) velocity [m/s] of the spheres along their locked directions, constant in time."""
+        """The velocities (n, 3) [m/s] of the spheres along locked directions, constant in time."""
         parts = np.where(self.spheres.free, 0.0, self.spheres.velocity @ self.axes.T)
         size = np.abs(self.spheres.velocity).max(axis=1, keepdims=True, initial=0.0)
         return np.asarray(np.where(np.abs(parts) > LOCKED_SPEED * size, parts, 0.0) @ self.axes)
 
     @functools.cached_property
     def wave(self) -> Harmonic | None:
-        """The shaking as long as it lasts."""
+        """The sines of the shaking, without the end of a Pulse; None without shaking."""
         return self.shaking.wave if isinstance(self.shaking, Pulse) else self.shaking
 
     @functools.cached_property
@@ -188,7 +188,7 @@ SAME_LAW = (
 
 
 def _check_bonds(scene: Scene, bonds: Bonds) -> None:
-    """Raise ValueError for a bond on a wall or block, of no direction, or unlike its contact."""
+    """Raise ValueError for a bond on a wall or block, without direction, or unlike its contact."""
     index = scene._indices()
     known = index[np.minimum(bonds.pairs, len(index) - 1)] >= 0
     for k in np.flatnonzero((~known | (bonds.pairs >= len(index))).any(axis=1))[:1]:

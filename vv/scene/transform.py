@@ -12,9 +12,9 @@ from vv.scene.scene import Scene
 from vv.scene.terms import Term
 
 DRIFT_TOLERANCE = (
-    1e-9  # of the largest displacement; rounding causes 1e-11, a wrong reaction far more
+    1e-9  # fraction of the largest displacement; rounding causes 1e-11, a wrong reaction far more
 )
-REST_TOLERANCE = 1e-12  # of a radius: rounding moves a sphere at rest under a dead load by less
+REST_TOLERANCE = 1e-12  # of a radius; rounding moves a sphere at rest under a dead load by less
 Group = Spheres | Wall | Block
 
 
@@ -88,7 +88,7 @@ def with_bodies_reversed(scene: Scene) -> Scene:
 
 
 def in_frame(axes: Vector, free: Mask) -> Mask | None:
-    """Which axes of the frame (3,) are free where those of `axes` (3, 3) are; None if mixed."""
+    """The mask (3,) of free frame axes that equals one along `axes` (3, 3); None if none does."""
     among = axes[free].T @ axes[free]
     alone = np.diag(np.diag(among) > 0.5)
     return np.diag(alone) if np.abs(among - alone).max() < 1e-12 else None

@@ -35,7 +35,7 @@ def test_a_scheme_without_the_knob_refuses_and_never_runs_undamped(name: str) ->
 def test_rigid_says_that_it_is_the_damping_that_it_lacks() -> None:
     (scheme,) = PROJECT.load_adapter("rigid").schemes
     assert answer("rigid", scheme, Knobs(1e-2, None, 0.97)) == (
-        "its steps hand on all velocity, and not dd = 0.97"
+        "its steps keep all velocity, not dd = 0.97"
     )
 
 
@@ -56,7 +56,7 @@ def test_a_hundred_thousand_steps_are_summed_to_rounding(scheme: str, tmp_path: 
 
 @pytest.mark.parametrize("dd", [-0.1, 1.1, float("nan")])
 def test_a_step_hands_on_a_part_of_its_velocity(dd: float) -> None:
-    with pytest.raises(ValueError, match=r"dd = .*; a step hands on a part between 0 and 1"):
+    with pytest.raises(ValueError, match=r"dd = .*; a step keeps a fraction between 0 and 1"):
         Knobs(dd=dd)
 
 

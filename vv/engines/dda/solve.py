@@ -46,8 +46,8 @@ LEDGER = (
     "shaking potential",
     "created by new contacts and inertia",
 )
-SIGNED = "numerical dissipation of generalised alpha, of either sign"
-LEAPT = "numerical dissipation of impacts and of steps with velocities at their middle"
+SIGNED = "numerical energy loss of generalised alpha, of either sign"
+LEAPT = "numerical energy loss of impacts and of steps with velocities at their middle"
 HELD, WORKS = slice(0, 4), slice(7, 12)
 NUMERICAL, CREATED = 5, 12
 EPS = float(np.finfo(float).eps)

@@ -13,15 +13,15 @@ from vv.scene.picture import view
 from vv.scene.picture.sketch import DIGITS, MOST, Spot
 from vv.scene.scene import Scene
 
-ACROSS = 0.99  # of an axis: what points less at the reader does not turn a picture in its plane
+ACROSS = 0.99  # the least cosine between an axis and the line of sight of a rotation that is drawn
 
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """A motion as a sketch shows it: what its unit, a metre or so many radians, does to shapes.
+    """The motion of the shapes of a body in a sketch, per unit of a quantity.
 
-    circles, faces: (first, count) of the shapes of the body among those of the sketch. along: by
-    how much they go to the right and up [m]; turn: by how much they turn anticlockwise [rad].
+    circles, faces: (first, count) of the shapes of the body among those of the sketch. along: their
+    displacement to the right and up [m]; turn: their anticlockwise rotation [rad].
     """
 
     circles: tuple[int, int]
@@ -31,21 +31,21 @@ class Moved:
 
 
 def shifted(scene: Scene, body: int, direction: Vector) -> Moved | None:
-    """What a metre along a direction (3,) looks like; None for a body that is not in the sketch."""
+    """The motion for one metre along a direction (3,); None if the sketch does not show it."""
     x, y = (view.plane(scene) @ direction).round(DIGITS).tolist()
     found = _shapes(scene, body)
     return Moved(*found, along=(x + 0.0, y + 0.0)) if found and (x or y) else None
 
 
 def turned(scene: Scene, body: int, axis: Vector, angle: float) -> Moved | None:
-    """What a turn by an angle [rad] about an axis (3,) looks like; None if not in the plane."""
+    """The motion for an angle [rad] about an axis (3,); None if the sketch does not show it."""
     seen = float(axis @ view.towards(view.plane(scene)))
     found = _shapes(scene, body)
     return Moved(*found, turn=angle * round(seen)) if found and abs(seen) > ACROSS else None
 
 
 def _shapes(scene: Scene, body: int) -> tuple[tuple[int, int], tuple[int, int]] | None:
-    """(first, count) of the circles and of the faces that a body is drawn as."""
+    """(first, count) of the circles and of the faces of a body; None if it is not drawn."""
     if body in (spheres := scene.body_numbers(Spheres)):
         place = spheres.index(body)
         return ((place, 1), (0, 0)) if place < MOST else None

@@ -1,4 +1,4 @@
-"""Projects a scene to a few shapes in a plane, from which it can be drawn."""
+"""Projects a scene onto a plane, as a few shapes that can be drawn."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from vv.scene.bodies import Harmonic
 from vv.scene.picture import view
 from vv.scene.scene import Scene
 
-MOST = 150  # bodies, and bonds, in a sketch: beyond it a picture says no more
-FEW = 8  # bodies with arrows
-NEAR = 4.0  # sizes of the bodies: a wall farther away is left out
+MOST = 150  # the most bodies in a sketch; more would be too small to see
+FEW = 8  # the most bodies with arrows
+NEAR = 4.0  # extents of all bodies: a wall farther away is left out
 DIGITS = 4
-SEEN = 0.1  # of a direction: what points at the reader more than that leaves is not drawn
-NIL = 1e-6  # of a radius: a gap that is none
+SEEN = 0.1  # the least projected length of a unit vector that is drawn
+NIL = 1e-6  # fraction of a radius: bodies with a smaller gap touch
 Spot = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """What acts on a body or moves it: tail and direction [-], and what it is in words."""
+    """An arrow for a load or a motion: its tail, its direction [-], and its meaning in words."""
 
     tail: Spot
     along: Spot
@@ -36,10 +36,10 @@ class Sketch:
 
     axes: names of the directions to the right and up, empty for an oblique view. circles: centre
     and radius; held: whether each is locked in all directions; polygons: corners of the faces of
-    blocks that are seen; fixed: whether the block of each is locked; rails: a place and the only
-    direction in which a body may move; touching: where bodies touch; walls: a point
-    and the outward normal of each, as seen; bonds: ends of each. bodies: how many the scene has, of
-    which those beyond a limit are left out here.
+    blocks that are seen; fixed: whether the block of each is locked; rails: a point and the only
+    direction in which a body may move; touching: the points where bodies touch; walls: a point and
+    the outward normal of each, as seen; bonds: ends of each. bodies: the number of bodies in the
+    scene; those beyond a limit are not in the sketch.
     """
 
     size: float
@@ -83,13 +83,13 @@ def _points(scene: Scene) -> Vector:
 
 
 def _feet(scene: Scene) -> list[Vector]:
-    """The point of each wall that is nearest to the middle of the bodies, (3,) [m]."""
+    """The point (3,) [m] of each wall that is closest to the centre of the bodies."""
     middle = _points(scene).mean(axis=0)
     return [middle - (middle - w.point) @ w.normal * w.normal for w in scene.walls]
 
 
 class _Shown:
-    """A scene as it is seen: places in units of its larger extent, from its middle."""
+    """A projected scene: positions from its centre, in units of its larger extent."""
 
     def __init__(self, scene: Scene, plane: Vector) -> None:
         self.scene, self.plane = scene, plane
@@ -108,12 +108,12 @@ class _Shown:
         self.size = float(np.ptp(points, axis=0).max()) or 1.0
 
     def spot(self, place: Vector) -> Spot:
-        """A place [m] as it is seen."""
+        """The projection of a position [m]."""
         x, y = ((self.plane @ place - self.middle) / self.size).round(DIGITS).tolist()
         return x, y
 
     def length(self, metres: float) -> float:
-        """A length as it is seen."""
+        """A length [m] in units of the picture."""
         return round(float(metres) / self.size, DIGITS)
 
     def spheres(self) -> Iterator[tuple[Vector, float]]:
@@ -122,13 +122,13 @@ class _Shown:
         yield from zip(group.position[:MOST], group.radius[:MOST].tolist(), strict=True)
 
     def faces(self) -> Iterator[tuple[tuple[Spot, ...], bool]]:
-        """The faces of blocks that look at the reader, and whether the block is locked."""
+        """The faces of blocks that face the reader, and whether the block is locked."""
         for block in self.scene.blocks[:MOST]:
             for corners in view.faces(block, self.plane):
                 yield tuple(map(self.spot, corners)), not block.free.any()
 
     def rails(self) -> Iterator[tuple[Spot, Spot]]:
-        """The one direction, as seen, in which each of the first bodies may move, if it is one."""
+        """The only visible free direction of each of the first bodies that has just one."""
         first, blocks = self.scene.spheres.part(slice(0, FEW)), self.scene.blocks[:FEW]
         rows = [*zip(first.position, first.free, strict=True)]
         rows += [(block.centroid(), block.free) for block in blocks]
@@ -140,7 +140,7 @@ class _Shown:
                     yield self.spot(place), self._direction(seen[0])
 
     def touching(self) -> Iterator[Spot]:
-        """Where spheres touch each other and walls, of those that are shown."""
+        """The points where the shown spheres touch each other and walls."""
         group = self.scene.spheres
         place, radius = group.position[:MOST], group.radius[:MOST]
         gaps = np.linalg.norm(place[:, None] - place[None], axis=2) - radius - radius[:, None]
@@ -152,21 +152,21 @@ class _Shown:
                 yield self.spot(place[k] - off[k] * wall.normal)
 
     def walls(self) -> Iterator[tuple[Spot, Spot]]:
-        """The foot of each wall that is near, and its normal, if it is seen from the side."""
+        """The foot and the normal of each nearby wall that is not seen head-on."""
         for foot, normal in self.near:
             along = self.plane @ normal
             if np.hypot(*along) > SEEN:
                 yield self.spot(foot), self._direction(along)
 
     def bonds(self) -> Iterator[tuple[Spot, Spot]]:
-        """The ends of bonds between spheres that are shown."""
+        """The ends of the bonds between shown spheres."""
         pairs = self.scene.bonded_pairs
         place = self.scene.spheres.position
         kept = pairs[(pairs < MOST).all(axis=1)][: 2 * MOST]
         yield from ((self.spot(place[i]), self.spot(place[j])) for i, j in kept)
 
     def arrows(self) -> Iterator[Arrow]:
-        """Gravity, shaking, and what moves or loads the first bodies."""
+        """The arrows of gravity, shaking and driven walls, of velocities and of loads."""
         if self.scene.gravity.any():
             yield self._arrow(None, self.scene.gravity, "gravity")
         yield from self._driven(self.scene.wave, "shaking")

@@ -1,4 +1,4 @@
-"""Chooses the direction of view of a scene: that in which it extends least."""
+"""Chooses the direction of view of a scene: the direction in which the scene extends least."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from vv.scene.arrays import Vector
 from vv.scene.block import Block
 from vv.scene.scene import Scene
 
-FLAT = 0.02  # of the largest extent: a scene that is less deep is seen straight on
-OBLIQUE = np.array([[0.87, -0.5, 0.0], [0.25, 0.43, 0.87]])  # rows: right and up, as seen
-EDGE_ON = 1e-6  # of a face: what is seen edge on has no face to show
+FLAT = 0.02  # fraction of the largest extent: a scene of less depth is drawn head-on
+OBLIQUE = np.array([[0.87, -0.5, 0.0], [0.25, 0.43, 0.87]])  # rows: right and up in the picture
+EDGE_ON = 1e-6  # cosine below which a face is edge-on and is not drawn
 NAMES = ("x", "y", "z")
 
 
 def plane(scene: Scene) -> Vector:
-    """Directions to the right and up, (2, 3): of the frame, oblique to it where a scene is deep.
+    """The directions to the right and up in the picture, (2, 3).
 
-    A scene of blocks, and one that is flat, is seen straight on, with gravity, or else an
-    oblique wall, below.
+    A scene of blocks and a flat scene are drawn head-on, with the direction of gravity, or else an
+    oblique wall, at the bottom. Other scenes are drawn in an oblique view.
     """
     shown = _directions(scene)
     sight = _sight(scene, shown)
@@ -33,7 +33,7 @@ def plane(scene: Scene) -> Vector:
 
 
 def names(seen: Vector) -> tuple[str, ...]:
-    """The axes of the frame to the right and up, with their signs; none of an oblique view."""
+    """The axes of the frame to the right and up, with their signs; empty for an oblique view."""
     found = []
     for row in seen:
         axis = int(np.abs(row).argmax())
@@ -49,7 +49,7 @@ def towards(seen: Vector) -> Vector:
 
 
 def faces(block: Block, seen: Vector) -> list[Vector]:
-    """The corners (k, 3) [m] of the faces of a block that look at the reader."""
+    """The corners (k, 3) [m] of the faces of a block that face the reader."""
     found = []
     for face in block.faces:
         corners = block.vertices[list(face)]
@@ -60,7 +60,7 @@ def faces(block: Block, seen: Vector) -> list[Vector]:
 
 
 def _sight(scene: Scene, shown: Vector) -> Vector:
-    """The unit direction (3,) along which least of what is to be shown points."""
+    """The line of sight (3,), along which the shown directions have the least part."""
     skew = np.linalg.eigh(shown.T @ shown)[1][:, 0]
     skew = skew * np.sign(skew[np.abs(skew).argmax()])
     axes = np.vstack([np.eye(3)[[1, 2, 0]], scene.axes[::-1], skew])
@@ -69,7 +69,7 @@ def _sight(scene: Scene, shown: Vector) -> Vector:
 
 
 def _up(scene: Scene, sight: Vector) -> Vector:
-    """Up (3,) across a line of sight: against gravity, off an oblique wall, or the last axis."""
+    """The upward direction (3,): against gravity, away from an oblique wall, or the last axis."""
     if scene.gravity.any():
         up = -scene.gravity
     else:
@@ -82,9 +82,10 @@ def _up(scene: Scene, sight: Vector) -> Vector:
 
 
 def _directions(scene: Scene) -> Vector:
-    """(n, 3) unit vectors of what a picture should show; of bodies, how they are spread.
+    """The directions (n, 3) that a picture should show, with the spread of the bodies.
 
-    Of a block that is locked in some directions those in which it may move.
+    They are unit vectors of normals, loads and velocities, and of the free directions of blocks
+    that are partly locked.
     """
     found = [wall.normal for wall in scene.walls for _ in range(4)]
     found += [scene.gravity, *scene.spheres.velocity, *scene.spheres.load]
