@@ -44,6 +44,14 @@ def test_both_routes_report_the_same_of_their_worst_step(way: Formulation) -> No
     assert (one[0] > 100.0) == (way is LAGGED)
 
 
+def test_solutions_count_whether_an_iteration_or_newton_s_method_takes_them() -> None:
+    """Where a slide keeps its line both take as many."""
+    early = dataclasses.replace(DEFAULT, iterations=1)
+    one, other = (worst(general(thrice_shaken(0.1), way)) for way in (DEFAULT, early))
+    assert one[1] == other[1] == 3
+    assert one[4] == other[4] >= 200
+
+
 @compiled
 def has_diverged(ledger: Vector, most: float) -> bool:
     return rows.diverged(ledger, most)
