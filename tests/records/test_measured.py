@@ -144,7 +144,7 @@ NIL = np.zeros(5)
     [
         (RAMP * 1.009, RAMP, "PASS", 0.009, ""),
         (RAMP * 1.011, RAMP, "FAIL", 0.011, ""),
-        (RAMP, RAMP, "FAIL", 0.0, "bit by bit the reference itself"),
+        (RAMP, RAMP, "FAIL", 0.0, "identical to the reference to the last bit"),
         (NIL, RAMP, "FAIL", 1.0, "nothing moves"),
         (NIL + 2.0, RAMP, "FAIL", 0.5, "nothing moves"),
         (NIL, NIL, "FAIL", None, "the reference is zero throughout"),

@@ -114,7 +114,7 @@ def test_where_nothing_is_unstable_the_longest_step_is_the_answer() -> None:
     code, bracket = Limited(1e9), Bracket(8.0, BOUND, 5)
     (run,) = found(code, bracket)
     assert last_stable_step(run, bracket) == pytest.approx(8.0)
-    assert run.reason == "all that was tried is stable"
+    assert run.reason == "all values that were tried are stable"
 
 
 def test_what_is_lost_beyond_the_limit_is_data_and_its_reason_is_told() -> None:

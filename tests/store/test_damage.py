@@ -1,4 +1,4 @@
-"""What is damaged in a store is named, passed over, and made again."""
+"""What is damaged in a store is reported, ignored, and made again."""
 
 import copy
 import dataclasses
@@ -75,7 +75,7 @@ def test_what_is_damaged_is_passed_over_with_a_word(tmp_path: Path) -> None:
     assert [one.name for one in store.manifests.newest(5, said.append)] == ["02"]
     assert said == [
         "past run 01: no whole manifest: what it holds is not what was kept: the digest differs; "
-        "passed over"
+        "skipped"
     ]
     assert history(store, "a", said.append)[0].name.startswith("c0ffee")
     assert len(said) == 1  # another run of the same commit was whole, and came first
@@ -98,7 +98,7 @@ def test_the_latest_run_is_no_copy_and_none_of_the_future(
     assert latest is not None
     assert latest.name == true
     said = capsys.readouterr().err
-    assert f"past run {future}: its time has not come; passed over" in said
+    assert f"past run {future}: it is dated in the future; skipped" in said
     assert f"past run {copy}: no whole manifest: its first line is not what was kept" in said
 
 
@@ -182,7 +182,7 @@ def test_every_damaged_file_is_named_and_its_job_run_again(tiny: Tiny, layer: st
         assert len(lost) <= len(damaged) / 2
     else:
         assert not lost
-    assert "the digest differs; passed over, and made again" in done.stderr
+    assert "the digest differs; it is ignored and made again" in done.stderr
     assert quantities(tiny) == told
     assert "digest differs" not in tiny.vv(*words).stderr
 
@@ -214,7 +214,7 @@ def test_a_series_that_is_not_that_of_its_figures_is_made_again(tiny: Tiny, name
     assert done.returncode == 0
     assert sum(f"{path}: " in done.stderr for path in forged) == len(forged)
     assert quantities(tiny) == told
-    assert "passed over" not in tiny.vv(*words).stderr
+    assert "ignored" not in tiny.vv(*words).stderr
 
 
 @pytest.mark.parametrize(
@@ -257,7 +257,7 @@ def test_a_record_that_leaves_a_quantity_out_is_made_again(tiny: Tiny) -> None:
         assert summary is not None
         store.keep_summary(one.stem, dataclasses.replace(summary, quantities=()), {})
     done = tiny.vv(*words)
-    assert "is not of all quantities; passed over, and made again" in done.stderr
+    assert "does not have all quantities; it is ignored and made again" in done.stderr
     assert quantities(tiny) == told
 
 

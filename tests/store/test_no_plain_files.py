@@ -60,7 +60,7 @@ def test_it_is_named_passed_over_and_written_again(
         spoil(path)
     assert (store.summary(KEY), store.series(KEY, MEASURED)) == (None, None)
     told = capsys.readouterr().err
-    assert told.count(f"{said}; passed over, and made again\n") == 2
+    assert told.count(f"{said}; it is ignored and made again\n") == 2
     store.keep_summary(KEY, summary(), SERIES)
     assert store.summary(KEY) == summary()
     assert store.series(KEY, MEASURED) is not None
@@ -134,7 +134,7 @@ def test_what_is_sealed_and_no_arrays_is_named_too(
     path.parent.mkdir(parents=True)
     path.write_bytes(sealed_bytes(f"runs/{KEY}", content))
     assert Store(tmp_path).run(KEY) is None
-    assert "; passed over, and made again\n" in capsys.readouterr().err
+    assert "; it is ignored and made again\n" in capsys.readouterr().err
 
 
 def test_what_unpacks_to_more_than_fits_is_not_unpacked(
@@ -146,7 +146,7 @@ def test_what_unpacks_to_more_than_fits_is_not_unpacked(
     bomb = zipped(bytes(1 << 17), zipfile.ZIP_DEFLATED)
     path.write_bytes(sealed_bytes(f"runs/{KEY}", bomb))
     assert Store(tmp_path).run(KEY) is None
-    assert "what is packed in it is larger than what is read" in capsys.readouterr().err
+    assert "its unpacked size exceeds the limit" in capsys.readouterr().err
 
 
 def test_what_is_of_another_key_is_named(
@@ -157,5 +157,5 @@ def test_what_is_of_another_key_is_named(
     run = Run(Status.RAN, times=np.arange(3.0), cost=Cost(), steps=2)
     store._keep_arrays("runs", KEY, arrays_of(run, other))
     assert (store.summary(KEY), store.run(KEY)) == (None, None)
-    said = f"it is of the key {other}; passed over, and made again"
+    said = f"it is of the key {other}; it is ignored and made again"
     assert capsys.readouterr().err.count(said) == 2

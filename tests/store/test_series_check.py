@@ -13,7 +13,7 @@ from vv.records.quantity import MeasuredQuantity
 from vv.scene import Vector
 from vv.store.series_check import check_series
 
-# 4.4 in place of 4: 0.4 off at last; 2.0 in place of 1.6 before: 0.4 of 4 at most, 0.25 of itself
+# 4.4 instead of 4: 0.4 off at last; 2.0 in place of 1.6 before: 0.4 of 4 at most, 0.25 of itself
 ARRAYS = {
     "t": np.array([0.0, 1.0, 2.0]),
     "y.value": np.array([1.0, 2.0, 4.4]),
@@ -69,15 +69,18 @@ def test_an_error_that_is_not_finite_is_said_to_be_unknown() -> None:
 @pytest.mark.parametrize(
     ("arrays", "said"),
     [
-        (without("t"), "it holds y.reference, y.value in place of t, y.reference, y.value"),
+        (without("t"), "it holds y.reference, y.value instead of t, y.reference, y.value"),
         (without("y.reference"), "it holds t, y.value in place of"),
-        ({}, "it holds nothing in place of t"),
+        ({}, "it holds nothing instead of t"),
         ({**ARRAYS, "z.value": ARRAYS["t"]}, "it holds t, y.reference, y.value, z.value in place"),
-        ({name: array[:0] for name, array in ARRAYS.items()}, "t is no series of numbers"),
-        ({**ARRAYS, "y.value": np.ones((3, 1))}, "y.value is no series of numbers at each time"),
-        ({**ARRAYS, "y.value": np.array(["1", "2", "4"])}, "y.value is no series of numbers"),
-        ({**ARRAYS, "t": ARRAYS["t"][:2]}, "y.value is no series of numbers at each time"),
-        ({**ARRAYS, "t": ARRAYS["t"][:, None]}, "t is no series of numbers at each time"),
+        ({name: array[:0] for name, array in ARRAYS.items()}, "t is not a series with a number"),
+        (
+            {**ARRAYS, "y.value": np.ones((3, 1))},
+            "y.value is not a series with a number at each time",
+        ),
+        ({**ARRAYS, "y.value": np.array(["1", "2", "4"])}, "y.value is not a series with a number"),
+        ({**ARRAYS, "t": ARRAYS["t"][:2]}, "y.value is not a series with a number at each time"),
+        ({**ARRAYS, "t": ARRAYS["t"][:, None]}, "t is not a series with a number at each time"),
         (
             {**ARRAYS, "y.value": np.array([1.0, 2.0, 4.5])},
             "final of y is 4.5, its record says 4.4",

@@ -22,7 +22,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Acceptance:
-    """One time that results were accepted, and why they are right."""
+    """An acceptance of results, with the reason why they are right."""
 
     commit: str
     dirty: bool
@@ -34,7 +34,7 @@ class Acceptance:
 
 @dataclass(frozen=True, slots=True)
 class AcceptedQuantity:
-    """What a baseline keeps of a quantity: its error, its scale, and a few figures of its value."""
+    """The accepted data of a quantity: its error, its scale, and a few figures of its value."""
 
     error: float | None
     scale: float | None
@@ -43,9 +43,10 @@ class AcceptedQuantity:
 
 @dataclass(frozen=True, slots=True)
 class AcceptedResult:
-    """What a baseline keeps of a record. by: the number of the acceptance that it came by.
+    """The accepted data of a record.
 
-    cost: in calibration kernels, the least and the largest of the rounds.
+    by: the number of its acceptance. cost: in calibration kernels, the smallest and the largest of
+    the rounds.
     """
 
     by: str
@@ -55,10 +56,10 @@ class AcceptedResult:
 
 @dataclass(frozen=True, slots=True)
 class Baseline:
-    """The accepted results of a case, by name; parameters: variant -> those it was run with.
+    """The accepted results of a case, by name; parameters: variant -> the parameters of its runs.
 
     Raises ValueError for an acceptance without a number, and for a result whose name lacks its
-    variant or scheme, or that came by none of the acceptances.
+    variant or scheme, or that belongs to none of the acceptances.
     """
 
     case: str
@@ -79,7 +80,7 @@ class Baseline:
 
 @dataclass(frozen=True, slots=True)
 class AcceptanceSummary:
-    """An acceptance, and how many of a baseline's results came by it."""
+    """An acceptance, and the number of results in a baseline that belong to it."""
 
     commit: str
     dirty: bool
@@ -92,7 +93,7 @@ class AcceptanceSummary:
 
 @dataclass(frozen=True, slots=True)
 class BaselineSummary:
-    """Why a baseline is as it is: how many results, by which acceptances, newest last."""
+    """The origin of a baseline: the number of its results, and its acceptances, newest last."""
 
     results: int
     acceptances: tuple[AcceptanceSummary, ...]

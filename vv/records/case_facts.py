@@ -1,4 +1,4 @@
-"""The description of a case that is kept with its results, for reports of past invocations."""
+"""The description of a case that is stored with its results, for reports of past runs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vv.scene.picture.sketch import Sketch
 
 @dataclass(frozen=True, slots=True)
 class ToleranceFacts:
-    """A tolerance as it was when it judged; its parts are those of `vv.case.Tolerance`."""
+    """A tolerance at the time of the judgement, with the fields of `vv.case.Tolerance`."""
 
     value: float
     reason: str
@@ -29,10 +29,10 @@ class ToleranceFacts:
 
 @dataclass(frozen=True, slots=True)
 class QuantityFacts:
-    """A quantity, and how it is judged.
+    """A quantity, with the way in which it is judged.
 
-    norm, tolerances by class of method, and reasons of the methods that are shown only: where it
-    is judged by its error; reason: where it is not.
+    If it is judged by its error: norm, tolerances by class of method, and the reasons for methods
+    that are only shown. Otherwise: reason.
     """
 
     name: str
@@ -48,12 +48,12 @@ class QuantityFacts:
 
 @dataclass(frozen=True, slots=True)
 class VariantFacts:
-    """A variant: its physics in words, its terms, and what is judged.
+    """A variant: its physics in words, its terms, and its quantities.
 
-    critical: (kn [N/m] or None, step [s]) what the steps of a map are multiples of. sketch: of the
-    scene, None in what was kept before there were any; moved: quantity -> how it moves a body of
-    it. regions: the map that its quantities ask. phase: two quantities, the second of which is
-    drawn over the first.
+    critical: (kn [N/m] or None, step [s]), the critical steps in whose multiples the steps of a map
+    are given. sketch: of the scene, None in old manifests; moved: quantity -> the motion of a body
+    in the sketch. regions: the map in which some quantities are points. phase: two quantities, of
+    which the second is drawn over the first.
     """
 
     summary: str

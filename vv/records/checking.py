@@ -1,4 +1,4 @@
-"""Checks that a run is complete: every term, output and number is there, or it has failed."""
+"""Checks that a run is complete: without a term, an output or a finite number it has failed."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from vv.case import (
 )
 from vv.scene import Vector
 
-LARGEST = 1e100  # SI units: beyond it a run has diverged, and squares of it soon overflow
+LARGEST = 1e100  # SI units: beyond this a run has diverged; squares would soon overflow
 
 
 def checked(run: Run, ask: Ask) -> Run:
-    """The run, or the failure it really is: terms left out, outputs missing, numbers not finite."""
+    """The run, or a failure if terms or outputs are missing or numbers are not finite."""
     if run.status is not Status.RAN:
         return run
     if run.ledger and not all(map(math.isfinite, _energies(run.ledger))):
@@ -27,7 +27,7 @@ def checked(run: Run, ask: Ask) -> Run:
 
 
 def _observed(run: Run, ask: Ask) -> Run:
-    """The run, or the failure that it is for want of a term, an output or a finite number."""
+    """The run, or a failure if a term, an output or a finite number is missing."""
     if run.model is None or ask.scene.terms() - run.model.terms:
         terms = ask.scene.terms() - (run.model.terms if run.model else frozenset())
         left_out = ", ".join(sorted(term.value for term in terms)) or "everything"
@@ -51,7 +51,7 @@ def _observed(run: Run, ask: Ask) -> Run:
 
 
 def _energetic(run: Run, ask: Ask) -> Run:
-    """The run, or the failure that it is for want of a form of energy or of a finite number."""
+    """The run, or a failure if a form of energy or a finite number is missing."""
     for form in ask.energies:
         energy, due = run.energies.get(form), run.times.shape
         if energy is None or energy.shape != due:
@@ -63,7 +63,7 @@ def _energetic(run: Run, ask: Ask) -> Run:
 
 
 def _unbounded(values: Vector, times: Vector) -> str | None:
-    """From when on values (k, n) are not finite or beyond LARGEST, in words; None if never."""
+    """When values (k, n) are first not finite or beyond LARGEST, in words; None if never."""
     bounded = (np.abs(values) <= LARGEST).all(axis=1)  # False for nan too
     if bounded.all():
         return None
@@ -74,7 +74,7 @@ def _unbounded(values: Vector, times: Vector) -> str | None:
 
 
 def within(run: Run, unexplained: EnergyAllowance | None, method: Method, knobs: Knobs) -> Run:
-    """The run; the bound of its ledger is that of the case where this is larger."""
+    """The run, with the bound of the case for its ledger if that is larger."""
     ledger = run.ledger
     if unexplained is None or ledger is None or ledger.bound is None:
         return run
@@ -83,6 +83,6 @@ def within(run: Run, unexplained: EnergyAllowance | None, method: Method, knobs:
 
 
 def _energies(ledger: Ledger) -> Iterator[float]:
-    """Every number of a ledger."""
+    """All numbers of a ledger."""
     yield from (*ledger.terms.values(), ledger.unaccounted, ledger.peak, ledger.bound or 0.0)
     yield from (evaluated for pair in ledger.audits.values() for evaluated in pair)

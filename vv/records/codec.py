@@ -19,7 +19,7 @@ from typing import Any, NoReturn, TypeVar
 from vv.base.reader_source import class_reader, mapping_reader
 from vv.records.fields import OMITTED, SPREAD
 
-Json = dict[str, Any]  # what is on its way to or from a file, and nowhere else
+Json = dict[str, Any]  # plain data, used only between records and files
 Reader = Callable[[Any], Any]
 Kind = TypeVar("Kind")
 PLAIN = frozenset((str, int, float, bool, type(None)))
@@ -39,14 +39,14 @@ class DamagedError(ValueError):
         return f"{self.place.removeprefix('.')}{shown}; {self.rule}"
 
     def within(self, name: str) -> DamagedError:
-        """The same error, seen from one level up."""
+        """The same error, with the name of the enclosing object in front."""
         return DamagedError(self.value, self.rule, f"{name}{self.place}")
 
 
 def parse(text: str) -> Any:
     """Parse JSON to plain data; raises ValueError if it is invalid or a number is not finite.
 
-    For what is no record; records are read with `read`.
+    For data that is not a record; records are read with `read`.
     """
     try:
         return json.loads(text, parse_constant=_not_finite)
@@ -118,7 +118,7 @@ def _writer(kind: Any) -> Callable[[Any], Any]:
         return int
     if issubclass(kind, enum.Enum) and not issubclass(kind, int | str):
         return _words(kind).__getitem__
-    return lambda value: value  # a number of numpy, which is a float
+    return lambda value: value  # numpy scalars are converted to floats
 
 
 def _object_of(kind: Any) -> Callable[[Any], Json]:
@@ -185,13 +185,13 @@ def _reader(kind: Any) -> Reader:
 
 def _or_none(kind: Any) -> Reader:
     inner = _reader(kind)
-    if inner is _number:  # of which there are most
+    if inner is _number:  # the most frequent type
         return lambda data: data if data is None else _number(data)
     return lambda data: None if data is None else inner(data)
 
 
 def _items(kinds: tuple[Any, ...]) -> Reader:
-    """A tuple of any length, tuple[X, ...], or of a length that is given."""
+    """The reader of a tuple of any length, tuple[X, ...], or of a given length."""
     readers = tuple(_reader(kind) for kind in kinds if kind is not ...)
 
     def items(data: Any) -> tuple[Any, ...]:
@@ -229,7 +229,7 @@ def _entries(key_kind: Any, kind: Any) -> Reader:
 
 
 def _fields(kind: Any) -> Reader:
-    """A class from its fields; any other member goes to the field that is spread."""
+    """The reader of a class from its fields; other members go to the field that is spread."""
     hints, readers = typing.get_type_hints(kind), _readers(kind)
     spread = next((f.name for f in dataclasses.fields(kind) if SPREAD in f.metadata), None)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-OMITTED, SPREAD = "omitted", "spread"  # what the metadata of such fields says
+OMITTED, SPREAD = "omitted", "spread"  # keys in the metadata of such fields
 
 
 def optional(default: Any) -> Any:
-    """A field that JSON omits if it has its default, which is empty or None."""
+    """A field that JSON omits if it has its default, which must be empty or None."""
     return dataclasses.field(default=default, metadata={OMITTED: True})
 
 

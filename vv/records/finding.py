@@ -46,16 +46,16 @@ class Change(enum.Enum):
 
 
 IMPROVED = (Change.BETTER.value, Change.FASTER.value)
-NOTICE = Bit(0)  # what a finding sets that is only worth knowing
+NOTICE = Bit(0)  # the bit of a finding that is only a notice
 
 
 @dataclass(frozen=True, slots=True)
 class Finding:
     """One statement on an invocation.
 
-    check: what was judged. kind: what came of it, in a word, such as that of a Change. label:
-    CODE/SCHEME. rung: knobs as text. bit: what it sets when enforced; none: a notice. size: how
-    bad, for the order in lists: how many times the band or the tolerance.
+    check: the aspect that was judged. kind: the result in a word, such as that of a Change. label:
+    CODE/SCHEME. rung: knobs as text. bit: the exit bit that it sets when enforced; zero for a
+    notice. size: the severity, by which lists are sorted: a multiple of the band or the tolerance.
     """
 
     check: Aspect
@@ -94,7 +94,7 @@ class Finding:
 
 
 def worst_first(findings: Iterable[Finding]) -> list[Finding]:
-    """Red ones first, then those with a bit, then notices; the largest first in each."""
+    """The findings: red ones, then those with a bit, then notices; each with the largest first."""
     return sorted(findings, key=lambda f: (not f.red, not f.bit, -f.size, f.where, f.check.value))
 
 

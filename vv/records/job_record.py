@@ -14,10 +14,10 @@ from vv.records.quantity import MeasuredQuantity
 
 @dataclass(frozen=True, slots=True)
 class JobCost:
-    """Seconds spent on a job, part by part, as `vv.ask.Cost` has them, and how they were measured.
+    """The seconds spent on a job, with the fields of `vv.ask.Cost`, and how they were measured.
 
-    relative: solve_cpu over that of the calibration kernel, the least and the largest of the
-    rounds; session: the timing session, within one of which costs may be compared.
+    relative: solve_cpu in calibration kernels, the smallest and the largest of the rounds; session:
+    the timing session; only costs of one session may be compared.
     """
 
     startup: float
@@ -34,12 +34,12 @@ class JobCost:
 
     @property
     def timed(self) -> bool:
-        """Whether it was measured alone on one core."""
+        """Whether the cost was measured alone on one core."""
         return self.kind is CostKind.TIMED
 
     @property
     def elapsed(self) -> float:
-        """Seconds by the clock from the start of the program to the last output."""
+        """The wall seconds from the start of the program to the last output."""
         return self.startup + self.setup + self.solve_wall + self.output
 
 
@@ -54,7 +54,7 @@ class ModelSummary:
 
 @dataclass(frozen=True, slots=True)
 class RunSummary:
-    """What a record says of a run: its status and why, cost, model, energy [J], quantities."""
+    """The summary of a run in a record: status and reason, cost, model, energy [J], quantities."""
 
     status: Status
     reason: str
@@ -67,7 +67,7 @@ class RunSummary:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A job and its result. modified: parameters were changed; key: leads to its series.
+    """A job and its result. modified: parameters were changed; key: of its series in the store.
 
     known_breaches: the laws that its ledger breaks, but is known to break.
     """
@@ -98,7 +98,7 @@ class Record:
         return f"{self.code}/{self.scheme}"
 
     def quantity(self, name: str) -> MeasuredQuantity | None:
-        """The quantity of that name; None if it reports none."""
+        """The quantity of that name; None if the record has none."""
         return next((one for one in self.quantities if one.name == name), None)
 
 
@@ -106,5 +106,5 @@ SUMMARY = tuple(field.name for field in dataclasses.fields(RunSummary))
 
 
 def summary_of(record: Record) -> RunSummary:
-    """The summary of its run that a record holds."""
+    """The summary of the run of a record."""
     return RunSummary(*(getattr(record, name) for name in SUMMARY))

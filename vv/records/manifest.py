@@ -1,4 +1,4 @@
-"""What one invocation did: its records, and what is said of cases, codes and circumstances."""
+"""The manifest of an invocation: its records, cases, codes and circumstances."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vv.records.recorded import RecordedResult
 
 @dataclass(frozen=True, slots=True)
 class Machine:
-    """A processor, its cores and the system; the fingerprint tells one machine from another."""
+    """A processor, its cores and the system; the fingerprint identifies the machine."""
 
     processor: str
     cores: int | None
@@ -38,7 +38,7 @@ class Provenance:
 
 @dataclass(frozen=True, slots=True)
 class CodeFound:
-    """What was found of a code. files: path -> digest, empty for a code that is only source."""
+    """An installed or missing code. files: path -> digest; empty for a code that is only source."""
 
     version: str
     installed: bool
@@ -49,10 +49,10 @@ class CodeFound:
 class Manifest:
     """One invocation.
 
-    untimed: the jobs that were to be timed and could not be. findings: what the gate found beside
-    the records. baselines, recorded: what these were compared with and stand beside. timed_on: the
-    machine on which costs were timed, where it is another. name: in the store; not written with
-    the rest.
+    untimed: the jobs that were to be timed and could not be. findings: those that do not follow
+    from the records alone. baselines: with which the records were compared; recorded: results of
+    codes that are not installed. timed_on: the machine on which costs were timed, if it is another.
+    name: in the store; it is not part of the file.
     """
 
     provenance: Provenance
@@ -73,7 +73,7 @@ class Manifest:
 
 @dataclass(frozen=True, slots=True)
 class TimedRun:
-    """What a timing session measured of a run: seconds, and the ratios to the calibration."""
+    """The timed cost of a run: seconds, and the ratios to the calibration kernel."""
 
     startup: float
     setup: float
@@ -88,10 +88,10 @@ class TimedRun:
 
 @dataclass(frozen=True, slots=True)
 class PrintedOutput:
-    """What an invocation printed at its end.
+    """The final output of an invocation.
 
-    notes, lines: on standard error and standard output; status: its exit status; of: the digest
-    of the files that the lines describe, and of the codes that were required.
+    notes, lines: on standard error and standard output; status: its exit status; of: the digest of
+    the files that the lines describe and of the required codes.
     """
 
     notes: tuple[str, ...]
@@ -102,9 +102,9 @@ class PrintedOutput:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What is kept of an invocation (manifest, printed output) or of a report (file states).
+    """The reusable answer to an invocation (manifest, output), or the file states of a report.
 
-    records: digest of the states of all stored records while those of the manifest were whole.
+    records: digest of the states of all stored records when those of the manifest were complete.
     """
 
     manifest: str = optional("")

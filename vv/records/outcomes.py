@@ -21,8 +21,9 @@ class Verdict(enum.Enum):
 class Outcome(enum.Enum):
     """The outcome of a job, as summaries count it; the value is the word shown to people.
 
-    A status unless it ran, else the worst verdict of its quantities. BLOW_UP: it diverged in a
-    map, which is there to show where codes do. NOT_REPORTED, NOT_CONSERVED: of what ran.
+    If the job did not run it is the status, otherwise the worst verdict of its quantities. BLOW_UP:
+    it diverged in a map, where divergence is a result. NOT_REPORTED and NOT_CONSERVED apply to jobs
+    that ran.
     """
 
     ERROR = "error"
@@ -43,7 +44,7 @@ class Outcome(enum.Enum):
 
 
 class StudyKind(enum.Enum):
-    """What was done with a scene: rungs against a reference, the largest stable step, a map."""
+    """The kind of a study: a ladder of rungs, a search for the largest stable step, a map."""
 
     LADDER = "ladder"
     SEARCH = "search"
@@ -62,8 +63,8 @@ class QuantityKind(enum.Enum):
 class JudgeKind(enum.Enum):
     """How a quantity is judged: by its error, by its value, as conserved, or not at all.
 
-    MEASURED: by its distance from a measurement, which is no error of a code. CODE_TO_CODE: by its
-    distance from what another code answered, which is no error either.
+    MEASURED: by its distance from a measurement; CODE_TO_CODE: by its distance from the answer of
+    another code. Neither distance is an error of the code.
     """
 
     EXACT = "exact"

@@ -22,7 +22,7 @@ from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
 
 @dataclass(frozen=True, slots=True)
 class MeasurementFacts:
-    """A measurement and the band about it; its parts are those of `vv.case.Measurement`."""
+    """A measurement with the fields of `vv.case.Measurement`, and the band around it."""
 
     value: float
     digitisation: float
@@ -41,7 +41,7 @@ class MeasurementFacts:
 
 @dataclass(frozen=True, slots=True)
 class PrintedFacts:
-    """Another code's answer and the band about it; its parts are those of `vv.case.Printed`."""
+    """The answer of another code, with the fields of `vv.case.Printed`, and the band around it."""
 
     value: float
     rounding: float
@@ -55,13 +55,12 @@ class MeasuredQuantity:
     """A quantity of a run: its value, errors and verdict.
 
     unit: of the value, empty for a plain number. value, reference: of a number; those of a series
-    are kept as arrays beside the record. end: the reference of a series at the last time. errors:
-    relative, None where one is not finite; scale: what they are relative to. figures: a few
-    numbers that stand for the value. norm: of the error that is judged; None: the maximum.
-    tolerance: the bound on that error at this rung, and why it is that; note: what the judge has
-    to add. measurement, printed: what was measured, or answered by another code, with which a
-    number was compared in place of a reference; it then has no errors, so that no ranking, map or
-    order mixes it with the accuracy of codes.
+    are stored as arrays beside the record. end: the reference of a series at the last time. errors:
+    relative to `scale`, None if not finite. figures: a few numbers that represent the value. norm:
+    of the error that is judged; None means the maximum. tolerance: the bound on that error at this
+    rung, with its reason; note: a remark of the judge. measurement, printed: the measurement or the
+    answer of another code with which a number was compared in place of a reference; the number then
+    has no errors, so that no ranking, map or order mixes it with the accuracy of codes.
     """
 
     name: str
@@ -84,7 +83,7 @@ class MeasuredQuantity:
 
     @property
     def error(self) -> float | None:
-        """The error in the norm that judges; None if it has none."""
+        """The error in the norm by which it is judged; None if it has none."""
         return self.errors.get(self.norm or Norm.MAX)
 
 
@@ -99,5 +98,5 @@ _KINDS: Mapping[type, JudgeKind] = {
 
 
 def judge_kind(judge: Judge) -> JudgeKind:
-    """The kind of a judge, as records state it."""
+    """The kind of a judge, by its name in records."""
     return _KINDS[type(judge)]

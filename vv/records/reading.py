@@ -35,12 +35,12 @@ def by_fineness(record: Record) -> tuple[float, float]:
 
 
 def ran(record: Record) -> bool:
-    """Whether a record is of a run that came to its end."""
+    """Whether the run of a record reached its end."""
     return record.status is Status.RAN
 
 
 def tried(record: Record) -> bool:
-    """Whether the code attempted the job: it is installed, and did not refuse."""
+    """Whether the code attempted the job, which it did if it is installed and did not refuse."""
     return record.status not in UNTRIED
 
 

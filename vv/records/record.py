@@ -1,4 +1,4 @@
-"""Measures the quantities of a run: their values, their errors, and whether these are in bounds."""
+"""Measures the quantities of a run: their values, their errors and their verdicts."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from vv.records.outcomes import QuantityKind, Verdict
 from vv.records.quantity import MeasuredQuantity, MeasurementFacts, PrintedFacts, judge_kind
 from vv.scene import Vector
 
-NOT_REPORTED = Shown("this code tells nothing to take it from")
+NOT_REPORTED = Shown("the code does not report the data from which it is computed")
 NORMS = {
     Norm.MAX: metrics.max_error,
     Norm.FINAL: metrics.final_error,
@@ -61,7 +61,7 @@ class _Figures:
 def measured(
     run: Run, quantity: Quantity, method: Method, knobs: Knobs, modified: bool = False
 ) -> tuple[MeasuredQuantity, Mapping[str, Vector]]:
-    """A quantity of a run as a record has it, and the arrays of its series.
+    """A quantity of a run in the form of a record, and the arrays of its series.
 
     modified: the parameters are not the case's own.
     """
@@ -102,14 +102,14 @@ def _bound(judge: Judge, method: Method, knobs: Knobs) -> tuple[Norm | None, flo
 
 
 def _measurement(judge: Judge) -> MeasurementFacts | None:
-    """What a record keeps of a measurement; None of other judges."""
+    """The measurement in the form of a record; None for other judges."""
     if not isinstance(judge, Measured):
         return None
     return MeasurementFacts(**dataclasses.asdict(judge.measurement), band=judge.band)
 
 
 def _printed(judge: Judge) -> PrintedFacts | None:
-    """What a record keeps of another code's answer; None of other judges."""
+    """The answer of another code in the form of a record; None for other judges."""
     if not isinstance(judge, CodeToCode):
         return None
     return PrintedFacts(**dataclasses.asdict(judge.answer), band=judge.band)
@@ -120,7 +120,7 @@ def _figures(run: Run, quantity: Quantity, judge: Judge, method: Method) -> _Fig
         return _Figures() if judge is NOT_REPORTED else _figures_of_number(run, quantity, judge)
     found = _figures_of_series(run, quantity)
     if method is not Method.EXACT and _copied(found.arrays, quantity.name):
-        note = "bit by bit the reference itself, which no approximate method can be"
+        note = "identical to the reference to the last bit, which no approximate method can be"
         return dataclasses.replace(found, note=note)
     return found
 
@@ -160,7 +160,7 @@ def _copied(arrays: Mapping[str, Vector], name: str) -> bool:
 def _errors(
     value: Vector, reference: Vector, scale: float | None, rests: bool
 ) -> dict[Norm, float | None]:
-    """The errors by norm; against a reference that rests only those that the scale gives."""
+    """The errors by norm; for a reference at rest only the error relative to the scale."""
     errors: dict[Norm, float | None] = {}
     if not rests:
         errors = {norm: _finite(f(value, reference)) for norm, f in NORMS.items()}
@@ -170,14 +170,14 @@ def _errors(
 
 
 def error_in(norm: Norm, value: Vector, reference: Vector, scale: float) -> float:
-    """The error of a series by a norm, of which the maximum is over a scale."""
+    """The error of a series in a norm; the maximum norm is relative to `scale`."""
     if norm is Norm.MAX:
         return metrics.scaled_error(value, reference, scale)
     return NORMS[norm](value, reference)
 
 
 def _figures_of_number(run: Run, quantity: Scalar | Count, judge: Judge) -> _Figures:
-    """Value, scale and errors; a count that is only shown has none, and so no order in dt."""
+    """The value, scale and errors; a count that is only shown has no errors, hence no order."""
     value = quantity.observe(run)
     reference = None if quantity.reference is None else evaluated(quantity.reference)
     if isinstance(quantity, Scalar):
@@ -212,7 +212,7 @@ def _verdict(quantity: Quantity, judge: Judge, found: MeasuredQuantity) -> Verdi
 
 
 def _by_band(band: float | None, middle: float, value: float | None) -> Verdict:
-    """Within the band or not; without a band it is shown."""
+    """The verdict by a band; SHOWN without a band."""
     if band is None:
         return Verdict.NO_REFERENCE
     good = value is not None and abs(value - middle) <= band
@@ -224,7 +224,7 @@ def _finite(value: float) -> float | None:
 
 
 def summarised(run: Run, quantities: tuple[MeasuredQuantity, ...]) -> RunSummary:
-    """What a record says of a run whose quantities are these."""
+    """The summary of a run with these quantities."""
     cost = JobCost(**dataclasses.asdict(run.cost))
     model = None if run.model is None else _model(run.model)
     return RunSummary(run.status, run.reason, cost, run.steps, model, run.ledger, quantities)

@@ -30,9 +30,9 @@ class RecordedRun:
 
 @dataclass(frozen=True, slots=True)
 class RecordedFile:
-    """The results of a code on a case, by name, and where they come from.
+    """The results of a code on a case, by name, and their origin.
 
-    utc: when, in ISO form; raises ValueError if it is not.
+    utc: the time in ISO form; raises ValueError for any other.
     """
 
     code: str

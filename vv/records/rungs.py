@@ -20,15 +20,15 @@ from vv.base.metrics import (
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind
 
-FORMAL = 2.0  # no stepping scheme here is of higher order: what more was seen promises is chance
+FORMAL = 2.0  # no scheme here has a higher formal order; a higher observed one is accidental
 
 
 @dataclass(frozen=True)
 class Point:
     """A rung: its knobs, its largest judged error, its CPU seconds.
 
-    error None: it gave none that is finite. cpu: as timed, None where it was not; spread: of its
-    repeats, relative. indicative: of the run that was judged, beside which others ran.
+    error: None if it is not finite. cpu: the timed cost, None if untimed; spread: the relative
+    spread of its repeats. indicative: the cost of the judged run, measured while other jobs ran.
     """
 
     dt: float | None
@@ -51,10 +51,10 @@ class Floor:
 class Limit:
     """The limit of the final value of the first quantity as dt -> 0, from three steps or more.
 
-    dt: the finest. model: how far the limit is off the exact value, None without a limit or an
-    exact value; step: how far the finest is off the limit, not less than at order FORMAL; known:
-    how well the limit is known, that times the factor of the grid convergence index. All over the
-    quantity's scale.
+    dt: the finest step. model: the distance of the limit from the exact value, None without a limit
+    or an exact value; step: the distance of the finest value from the limit, at least that for
+    order FORMAL; known: the uncertainty of the limit, `step` times the factor of the grid
+    convergence index. All are relative to the scale of the quantity.
     """
 
     dt: float
@@ -68,7 +68,7 @@ class Limit:
 class Row:
     """The rungs of a scheme that differ in dt alone, coarsest first.
 
-    pile: the records of the points, of which the rest is worked out where it is asked for.
+    pile: the records of the points, from which the properties are computed.
     """
 
     kn: float | None
@@ -77,7 +77,7 @@ class Row:
 
     @functools.cached_property
     def order(self) -> Order | None:
-        """The order in dt of the rungs before the floor; None where they are too few."""
+        """The order in dt of the rungs before the floor; None if there are too few."""
         known = self._known
         return order_before_floor([dt for dt, _ in known], [error for _, error in known])
 
@@ -102,12 +102,12 @@ class Row:
 
     @property
     def errors(self) -> list[float]:
-        """Those of the rungs that have one."""
+        """The errors of the rungs that have one."""
         return [point.error for point in self.points if point.error is not None]
 
 
 def row_of(kn: float | None, pile: Sequence[Record]) -> Row:
-    """The row that records of one scheme and stiffness make, coarsest first."""
+    """The row of the records of one scheme and stiffness, coarsest first."""
     return Row(kn, tuple(map(_point, pile)), tuple(pile))
 
 
@@ -119,7 +119,7 @@ def _point(record: Record) -> Point:
 
 
 def _error(record: Record) -> float | None:
-    """The largest error that is judged; None where one of them is missing."""
+    """The largest judged error; None if one of the errors is missing."""
     errors = [one.error for one in record.quantities if one.judge is JudgeKind.EXACT]
     finite = [error for error in errors if error is not None]
     return max(finite) if finite and len(finite) == len(errors) else None
@@ -180,5 +180,5 @@ def orders(records: Iterable[Record]) -> dict[Key, Order]:
 
 
 def ladder(record: Record, quantity: str) -> Key:
-    """The key of a ladder: everything but dt, for one quantity."""
+    """The key of a ladder for one quantity: everything except dt."""
     return record.case, record.variant, record.code, record.scheme, quantity, record.rung.kn

@@ -6,7 +6,7 @@ from vv.records import codec
 
 
 def render(kept: object) -> str:
-    """The text of a file of results."""
+    """The JSON text of a file of results."""
     data = codec.to_data(kept)
     parts = []
     for name in sorted(data):

@@ -45,8 +45,8 @@ def records_of(
 ) -> Iterator[tuple[int, Record]]:
     """Yield (job number, record): first those that need no running, then as runs come in.
 
-    A stored result of a code that is installed needs no check for refusal: its key covers all
-    that a refusal depends on. begin: is given the number of jobs that have to run.
+    A stored result of a code that is installed needs no check for refusal: its key covers all that
+    a refusal depends on. begin: called with the number of jobs that have to run.
     """
     unknown, store = {}, stored.store
     for number, job in enumerate(plan.jobs):
@@ -73,7 +73,7 @@ def records_of(
 
 
 def _known(plan: Plan, number: int, stored: StoredJobs) -> Record | None:
-    """The record of a job from the store; None if it has to be run, as what is damaged is."""
+    """The record of a job from the store; None if the job has to be run."""
     job, key, store = plan.jobs[number], stored.records[number], stored.store
     if (summary := _summary(plan, job, key, store)) is not None:
         return _record(plan, job, key, summary)
@@ -85,12 +85,12 @@ def _known(plan: Plan, number: int, stored: StoredJobs) -> Record | None:
     if record is not None and record.status is Status.RAN:
         return record
     why = (record or found).reason
-    notice(f"the stored run {stored.runs[number]}: {why}; passed over, and run again")
+    notice(f"the stored run {stored.runs[number]}: {why}; it is ignored and run again")
     return None
 
 
 def _summary(plan: Plan, job: Job, key: str, store: Store) -> RunSummary | None:
-    """What is stored of a job; None without its series, or where a quantity is left out."""
+    """The stored summary of a job; None if its series or a quantity is missing."""
     summary = store.summary(key)
     if summary is None or store.series(key, summary.quantities) is None:
         return None
@@ -98,14 +98,15 @@ def _summary(plan: Plan, job: Job, key: str, store: Store) -> RunSummary | None:
     due = [one.name for one in quantities if summary.status is Status.RAN]
     if [one.name for one in summary.quantities] == due:
         return summary
-    notice(f"the stored record {key} is not of all quantities; passed over, and made again")
+    notice(f"the stored record {key} does not have all quantities; it is ignored and made again")
     return None
 
 
 def _measured(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
     """Measure a run, store the measured summary if the run is meaningful, and return the record.
 
-    A run of which a quantity cannot be measured has failed: it may be what the case is to show.
+    A run with a quantity that cannot be measured has failed, since the case may depend on that
+    quantity.
     """
     trial = plan.trials[job.case, job.variant]
     quantities: list[MeasuredQuantity] = []

@@ -1,4 +1,4 @@
-"""Groups jobs into batches, which are asks that one worker answers in order."""
+"""Groups jobs into batches: asks that one worker answers in order."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from vv.plan.plan import Job, Plan
 from vv.run.executor import Executor
 from vv.run.process import Batch
 
-MANY = 100  # jobs of a scheme that are worth a second process
+MANY = 100  # a scheme with more jobs than these is worth a second process
 
 
 def batches(waiting: Mapping[int, Job], plan: Plan, place: Executor) -> list[Batch]:
     """The batches of each scheme; the executor decides how many.
 
-    First a batch of each engine that compiles its kernels, which its other schemes then find;
-    then external programs, which take longest, those of a code one after the other, since a worker
-    may stay with it. Those other schemes are last: where they have many jobs these are shared out,
-    so that no process is left without work while one ends. In each searches are last: what needs
-    no rounds is then answered by a program that starts once.
+    The first batch of each engine is at the beginning: it compiles the kernels that the other
+    schemes of the engine use. External programs follow, since they take longest; the batches of one
+    code are adjacent, since a worker may stay with it. The other schemes of the engines are last;
+    those with many jobs are divided, so that all processes stay busy until the end. Within a batch
+    searches are last, so that one start of a program answers all asks that need no rounds.
     """
     groups: dict[tuple[str, str], list[int]] = {}
     for number, job in sorted(waiting.items(), key=lambda item: item[1].ask.search is not None):

@@ -62,7 +62,7 @@ def _variant(variant: Variant, trial: Trial) -> VariantFacts:
 
 
 def _moved(quantities: Sequence[Quantity], scene: Scene) -> dict[str, Moved]:
-    """Quantity -> how it moves a body of the sketch, for those that say how a body moves."""
+    """Quantity -> the motion of a body in the sketch, for quantities that are such a motion."""
     found = {}
     for quantity in quantities:
         moved = _one_moved(quantity.observe, scene) if isinstance(quantity, Series) else None
@@ -80,7 +80,7 @@ def _one_moved(observe: object, scene: Scene) -> Moved | None:
 
 
 def _critical(study: Study) -> tuple[tuple[float | None, float], ...]:
-    """What the steps of a map are multiples of: (kn or none, step) at every stiffness."""
+    """The critical steps of a map, (kn or None, step) at every stiffness."""
     if not isinstance(study, Grid):
         return ()
     stiffnesses = dict.fromkeys(kn for level in study.kn.values() for kn in level)

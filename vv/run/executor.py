@@ -19,10 +19,10 @@ LOCAL = "local"
 
 
 class Executor(Protocol):
-    """What answers batches; the runs come back in any order, each as soon as it is there."""
+    """An executor answers batches and yields runs in any order, each once it is complete."""
 
     def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
-        """Yield the places of a scheme's jobs that form a batch; schemes: how many are waiting."""
+        """Yield the indices of the jobs that form a batch; schemes: the number of waiting ones."""
 
     def run(self, batches: Iterable[Batch], timeout: float) -> Iterator[tuple[int, Run]]:
         """Yield (number, run) for every ask; timeout: seconds for each."""

@@ -20,7 +20,7 @@ from vv.run.pace import Key, key, key_of, past
 
 EVERYTHING = ("pyproject.toml", "requirements.lock")  # they decide the versions of libraries
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0}
-UNKNOWN = 1.0  # s that a job is taken to need that never ran
+UNKNOWN = 1.0  # the assumed duration [s] of a job that never ran
 
 
 def failing_keys(manifest: Manifest) -> set[Key]:
@@ -59,7 +59,7 @@ def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
 
 
 def _touched(sources: Iterable[Path], changed: frozenset[Path]) -> bool:
-    """Whether a source changed, or a file was deleted beside one, which may have read it."""
+    """Whether a source changed, or a file in its folder, which it may have read, was deleted."""
     own = frozenset(sources)
     deleted = {path.parent for path in changed if not path.exists()}
     return not own.isdisjoint(changed) or any(path.parent in deleted for path in own)

@@ -1,4 +1,4 @@
-"""Finds the input that a code was given for a record, and stores it, since that takes long."""
+"""Finds the native input of a code for a record, and stores it, since that takes long."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def native_inputs(project: Project) -> Callable[[Record], str]:
 
 
 def _kept(store: Store, native: Callable[[Record], str], record: Record) -> str:
-    """The stored input of a code for a record, which depends only on what its key digests."""
+    """The stored input of a code for a record; it depends only on data that the key covers."""
     key = digest("native input", record.key)
     known = store.facts(str, key) if record.key else native(record)
     if known is None:
@@ -38,7 +38,7 @@ def _native(
     trials: dict[tuple[str, str], Trial],
     record: Record,
 ) -> str:
-    """The input of a code for a record; empty if case or code have changed since."""
+    """The input of a code for a record; empty if the case or the code has changed since."""
     case, variant = record.case, record.variant
     try:
         if (case, variant) not in trials:
@@ -46,5 +46,5 @@ def _native(
             trials[case, variant] = declared
         ask = trials[case, variant].study.ask(record.rung)
         return load_adapter(record.code).native(ask, record.scheme)
-    except (LookupError, ValueError, UsageError):  # of a project too: ProjectError
+    except (LookupError, ValueError, UsageError):  # including ProjectError
         return ""

@@ -12,8 +12,8 @@ from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.reading import in_words, ran, rung
 
-PAST = 10  # manifests that are looked at
-UNKNOWN = 0.05  # s that a job is taken to need of which nothing is known
+PAST = 10  # the most manifests that are read
+UNKNOWN = 0.05  # the assumed duration [s] of a job if nothing is known
 Key = tuple[str, str, str, str]
 
 

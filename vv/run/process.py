@@ -42,12 +42,12 @@ class Batch:
 
 
 def work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: Path) -> None:
-    """Answer the first batch, one message for each ask, then those batches that are ordered."""
+    """Answer the first batch, with one message per ask, and then the batches that are ordered."""
     with contextlib.suppress(OSError):
         os.setpgid(0, 0)
     die_with_parent()
     adopt_orphans()
-    if known[0].repeat > 0:  # timed: one core, whatever the program would take
+    if known[0].repeat > 0:  # timing uses one core, even if the program would use more
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     with open(scratch / "worker.log", "wb", buffering=0) as log:
         os.dup2(log.fileno(), 1)
@@ -57,7 +57,7 @@ def work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: 
     with may_wait():
         while _answered(batch, pipe, scratch) and batch.stays and len(known) > 1:
             batch = known[orders.recv()]
-    end_children()  # programs that wait for more, and what one has left behind
+    end_children()  # programs that wait for more asks, and orphaned children
 
 
 def _answered(batch: Batch, pipe: Connection, scratch: Path) -> bool:
@@ -83,16 +83,16 @@ def failed(error: Exception) -> Run:
 
 
 def die_with_parent() -> None:
-    """Have the kernel of the system end this worker and its children when the parent ends."""
+    """Let the operating system end this worker and its children when the parent ends."""
     signal.signal(signal.SIGTERM, lambda *_: _end_all())
     with contextlib.suppress(OSError, AttributeError):  # only Linux has prctl
         ctypes.CDLL(None).prctl(1, signal.SIGTERM)
     parent = multiprocessing.parent_process()
-    if parent is not None and os.getppid() != parent.pid:  # gone before the kernel was told
+    if parent is not None and os.getppid() != parent.pid:  # the parent ended before the call
         _end_all()
 
 
 def _end_all() -> None:
-    """End what this worker started, and the worker."""
+    """End all processes that this worker started, and the worker."""
     end_descendants(os.getpid())
     os.killpg(0, signal.SIGKILL)

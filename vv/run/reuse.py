@@ -37,7 +37,7 @@ SEEN = (
     "OMP",
     "MKL_",
     "OPENBLAS_",
-)  # what decides results
+)  # variables that affect results
 
 
 def identity(
@@ -67,9 +67,9 @@ def identity(
 
 
 def remember(store: Store, identity: str, manifest: Manifest) -> None:
-    """Keep the manifest of an invocation for reuse, unless a repetition may give a better one.
+    """Store the manifest of an invocation for reuse, unless a repetition may give a better one.
 
-    It may where a job crashed, or where a timing session has gaps, which are timed again.
+    It may if a job crashed, or if a timing session has gaps, which are timed again.
     """
     if all(map(is_reusable, manifest.records)) and not manifest.untimed:
         store.keep_answer(_key(store, identity), Answer(manifest.name, digest(store.state())))
@@ -82,7 +82,7 @@ def is_reusable(record: Record) -> bool:
 
 
 def recall(store: Store, identity: str) -> Manifest | None:
-    """The manifest kept for this identity; None if there is none or its series are gone."""
+    """The manifest stored for this identity; None if it or some of its series are missing."""
     answer = store.answer(_key(store, identity))
     if answer is None:
         return None
@@ -100,7 +100,7 @@ def recall(store: Store, identity: str) -> Manifest | None:
 def of_this_commit(
     project: Project, store: Store, identity: str, found: Manifest, command: Sequence[str]
 ) -> Manifest:
-    """The reused manifest, kept again under the present commit if it was made at another."""
+    """The reused manifest, stored again under the present commit if it is of another one."""
     if (found.provenance.commit, found.provenance.dirty) == commit(project.root):
         return found
     now = datetime.datetime.now(datetime.UTC)
@@ -111,7 +111,7 @@ def of_this_commit(
 
 
 def keep_output(store: Store, identity: str, manifest: str, printed: PrintedOutput) -> None:
-    """Keep what an invocation printed, if its manifest is the one kept for this identity."""
+    """Store the output of an invocation if its manifest is the one stored for this identity."""
     answer = store.answer(_key(store, identity))
     if answer is not None and answer.manifest == manifest:
         again = dataclasses.replace(answer, printed=printed)
@@ -121,7 +121,7 @@ def keep_output(store: Store, identity: str, manifest: str, printed: PrintedOutp
 def output_of(
     project: Project, store: Store, identity: str, report: Path, required: tuple[str, ...]
 ) -> tuple[str, PrintedOutput] | None:
-    """The name of the reusable manifest and what was printed of it; None if files differ since.
+    """The name and the printed output of the reusable manifest; None if files have changed.
 
     Output of another commit is not reused, since the report names the commit.
     """
@@ -136,13 +136,13 @@ def output_of(
 
 
 def output_key(store: Store, manifest: str, report: Path, required: tuple[str, ...]) -> str:
-    """The digest of what printed lines describe: manifest, report, records, codes required."""
+    """The digest of what the output describes: manifest, report, records, required codes."""
     states = _state(store.manifests.file(manifest)), _state_of_all(report), store.state()
     return digest(states, required)
 
 
 def note_report(store: Store, name: str, report: Path) -> None:
-    """Keep the states of the files of a report, to notice later whether they were changed."""
+    """Store the states of the files of a report, so that later changes are noticed."""
     store.keep_answer(digest("report", name), Answer(report=_state_of_all(report)))
 
 
@@ -153,7 +153,7 @@ def untouched(store: Store, name: str, report: Path) -> bool:
 
 
 def _key(store: Store, identity: str) -> str:
-    """The identity and the last timing session, which the invocation itself may have made."""
+    """The key of an identity; it depends on the last timing session too."""
     return digest(identity, store.last_session())
 
 
@@ -183,7 +183,7 @@ def _files(folder: Path) -> Iterator[Path]:
     for place, below, names in os.walk(folder, followlinks=True):
         real = os.path.realpath(place)
         if real in seen:
-            below.clear()  # a link back to where it lies would never end
+            below.clear()  # a link to a parent folder would never end
             continue
         seen.add(real)
         yield from (Path(place, name) for name in names if os.path.isfile(Path(place, name)))

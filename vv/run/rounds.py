@@ -16,16 +16,16 @@ from vv.run.runner import run_batches
 # counts. On a busy machine a second visit lowered none of 174 figures of three repeats or more by
 # more than 9 %, but 56 of fewer by up to 15 %: these are visited again.
 REPEAT = 0.04
-ENOUGH = 3  # repeats of which the least stands
+ENOUGH = 3  # with this many repeats the smallest cost is accepted
 # Nor does a visit stand where the calibration kernel took more than this times its least of the
 # session: the machine was slower then than for the other schemes.
 DRIFT = 1.1
-Timed = tuple[int, Cost, float]  # job, what a solve cost, and that over the calibration kernel
+Timed = tuple[int, Cost, float]  # job, cost of a solve, and its CPU time in calibration kernels
 
 
 @dataclass(frozen=True)
 class _Visit:
-    """The measurements of a batch; least, most: CPU time of the calibration kernel beside it."""
+    """The measurements of a batch; least, most: CPU time of the calibration kernel meanwhile."""
 
     batch: Batch
     seen: tuple[Timed, ...]
@@ -33,13 +33,13 @@ class _Visit:
     most: float
 
     def unsure(self, best: float) -> Batch:
-        """The asks that are to be timed again; best: the least kernel time of the session."""
+        """The asks to be timed again; best: the smallest kernel time of the session."""
         stands = {number for number, cost, _ in self.seen if cost.repeats >= ENOUGH}
         return _without(self.batch, () if self.most > DRIFT * best else stands)
 
 
 def rounds(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]) -> list[Timed]:
-    """Costs of the repeated solves of batches: for each job, of one visit or of two."""
+    """The costs of the repeated solves of batches, from one visit or two for each job."""
     first = _visits(batches, timeout, scratch)
     best = min((visit.least for visit in first), default=0.0)
     again = [batch for visit in first if (batch := visit.unsure(best)).asks]
@@ -50,8 +50,9 @@ def rounds(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]
 def _visits(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]) -> list[_Visit]:
     """A visit to each batch, with the calibration kernel before and after it.
 
-    A worker is told to go on with a next batch, or a new one starts, once the kernel is timed. A
-    batch whose worker died is ended after the others, and has all that was timed since it began.
+    The next batch starts, in the same worker or a new one, only when the kernel has been timed. A
+    batch whose worker died is completed after the others; it is compared with all kernel times
+    since it began.
     """
     batch_of = {number: batch for batch in batches for number in batch.numbers}
     answers: dict[Batch, list[tuple[int, Run]]] = {}
@@ -80,7 +81,7 @@ def _without(batch: Batch, numbers: Collection[int]) -> Batch:
 
 
 def _visit(batch: Batch, answers: Sequence[tuple[int, Run]], units: Collection[float]) -> _Visit:
-    """What answers say of a batch; units: what the calibration kernel took beside it."""
+    """The measurements in the answers to a batch; units: kernel times meanwhile."""
     least = min(units)
     seen = (
         (number, run.cost, run.cost.solve_cpu / least)

@@ -22,14 +22,14 @@ from vv.base.processes import (
 )
 from vv.run.process import Batch, work
 
-GRACE = 5.0  # s a batch gets besides, for the start of its program
+GRACE = 5.0  # additional s for a batch, for the start of its program
 
 
 @dataclass(eq=False)
 class _Worker:
-    """A running batch: its progress, and when its present ask is overdue; timeout [s].
+    """A running batch with its progress and the deadline of its present ask; timeout [s].
 
-    known: the batches that its process can be ordered to answer through `orders`, by their place.
+    known: the batches that its process can answer; `orders` sends the index of the next one.
     """
 
     batch: Batch
@@ -50,13 +50,13 @@ class _Worker:
         return self.answered == len(self.batch.asks)
 
     def goes_on_with(self, waiting: deque[Batch]) -> bool:
-        """Whether it takes the batch that waits next; if so, it starts on it."""
+        """Order the next waiting batch if the process can answer it; returns whether it can."""
         fits = self.complete and not self.hung_up and self.batch.stays
         if not (fits and waiting and any(one is waiting[0] for one in self.known)):
             return False
         try:
             self.orders.send(next(i for i, one in enumerate(self.known) if one is waiting[0]))
-        except OSError:  # it is gone
+        except OSError:  # the process has ended
             return False
         self.batch, self.answered = waiting.popleft(), 0
         self.deadline = time.monotonic() + self.timeout + GRACE

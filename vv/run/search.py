@@ -16,7 +16,7 @@ from vv.codes.adapter import Adapter
 from vv.scene import Vector
 
 VARIED = {SearchVariable.STEP: Ask.at, SearchVariable.SHAKING: Ask.shaken}
-LOST = float("inf")  # the reach of a run that did not come to its end
+LOST = float("inf")  # the reach of a run that did not reach its end
 
 
 def answers(
@@ -68,7 +68,7 @@ class _Search:
         return VARIED[self.bracket.variable](self.ask, value)
 
     def values(self) -> list[float]:
-        """Values to try next; none once the highest of the bracket is stable."""
+        """The values to try next; empty once the largest of the bracket is stable."""
         if not self.runs:
             low = self.ask.dt if self.bracket.variable is SearchVariable.STEP else 1.0
             return list(np.geomspace(low, low * self.bracket.span, self.bracket.tries))
@@ -93,10 +93,10 @@ class _Search:
         )
 
     def _beyond(self) -> str:
-        """The run of the smallest value that is unstable."""
+        """The run of the smallest unstable value."""
         lost = self.bracket.stability_limits(self.tried())[1]
         if lost is None:
-            return "all that was tried is stable"
+            return "all values that were tried are stable"
         reach, bound = _reach(self.runs[lost]), self.bracket.bound
         grown = f"reaches {reach:.3g} of at most {bound:.3g}"
         where = (
@@ -130,7 +130,7 @@ def _found(
 
 
 def _reach(run: Run) -> float:
-    """The largest component of an observable; LOST where the run did not come to its end."""
+    """The largest component of an observable; LOST if the run did not reach its end."""
     if run.status is not Status.RAN:
         return LOST
     reach = max(float(np.abs(values).max()) for values in run.values.values())

@@ -41,7 +41,7 @@ def timed_costs(
     if stored is None and numbers:
         begin(len(numbers))
         stored = _measure(plan, numbers, run_keys, timeout, place)
-        if set(stored) == set(keys):  # a session with gaps is no session to compare within
+        if set(stored) == set(keys):  # costs cannot be compared within a session with gaps
             store.keep_timings(session, stored)
     costs = stored or {}
     return {
@@ -73,7 +73,7 @@ def _cost(timed: TimedRun, session: str) -> JobCost:
 
 
 def _with_output(timed: TimedRun, record: Record) -> TimedRun:
-    """The cost, with the output of the judged run where the timed one wrote less."""
+    """The cost, with the output time of the judged run if the timed run wrote less."""
     return dataclasses.replace(timed, output=max(timed.output, record.cost.output))
 
 
@@ -109,7 +109,7 @@ def _timed(costs: Sequence[Cost], ratios: Sequence[float]) -> TimedRun:
 
 
 def _best(costs: Sequence[Cost]) -> Cost:
-    """The cheapest visit, with the repeats of all and the spread over all of them."""
+    """The cheapest visit, with the repeats and the spread of all visits."""
     best = min(costs, key=lambda cost: cost.solve_cpu)
     most = max(cost.solve_cpu * (1 + cost.spread) for cost in costs)
     spread = (most - best.solve_cpu) / best.solve_cpu if best.solve_cpu > 0 else 0.0

@@ -14,23 +14,23 @@ import numpy as np
 from vv.base.files import LARGEST
 
 ENDING = ".npy"
-DAMAGED = (  # what zipfile and numpy raise for what is no zip file, or of a form that they lack
+DAMAGED = (  # raised by zipfile and numpy for damaged or unsupported files
     zipfile.BadZipFile, zlib.error, tokenize.TokenError, RuntimeError, MemoryError, EOFError,
     TypeError, KeyError,
 )  # fmt: skip
-FIRST = b"\x93NUMPY\x01\x00"  # of the version that plain arrays are written in
-START = len(FIRST) + 2  # where a head of that version begins, behind its length
+FIRST = b"\x93NUMPY\x01\x00"  # a plain array file, version 1.0
+START = len(FIRST) + 2  # where its header begins, after the length of the header
 
 
 def arrays_in(content: bytes) -> dict[str, Any]:
-    """The arrays by name; raises ValueError for any other file.
+    """The arrays in a file by name; raises ValueError for a file of any other kind.
 
-    Nothing is unpickled, and nothing unpacked that would not fit in memory.
+    Nothing is unpickled, and no array is unpacked that would not fit in memory.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as file:
             if sum(one.file_size for one in file.infolist()) > LARGEST:
-                raise ValueError("what is packed in it is larger than what is read")
+                raise ValueError("its unpacked size exceeds the limit")
             return {name.removesuffix(ENDING): _array(file.read(name)) for name in file.namelist()}
     except DAMAGED as error:
         raise ValueError(f"it holds no arrays: {error}") from error
@@ -48,5 +48,5 @@ def _array(data: bytes) -> Any:
 
 @functools.lru_cache(maxsize=1024)
 def _described(head: bytes) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    """Shape, order and kind of an array, from its head with the length before it."""
+    """The shape, order and type of an array, from its header with the length before it."""
     return np.lib.format.read_array_header_1_0(io.BytesIO(head))

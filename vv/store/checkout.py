@@ -9,7 +9,7 @@ from vv.base.errors import UsageError
 
 
 class GitError(Exception):
-    """Git cannot be run, or objects to what it is asked."""
+    """Git cannot be run, or reports an error."""
 
 
 def commit(root: Path) -> tuple[str, bool]:
@@ -46,7 +46,7 @@ def changed_since(root: Path, revision: str) -> frozenset[Path]:
 
 
 def _resolved(root: Path, revision: str) -> str:
-    """The commit that a revision names; what is given is never an option of git's."""
+    """The commit that a revision names; the text is never taken for an option of git."""
     if "\0" in revision:
         raise GitError("git says: a revision holds no zero byte")
     words = ("rev-parse", "--verify", "--end-of-options", f"{revision}^{{commit}}")
@@ -54,7 +54,7 @@ def _resolved(root: Path, revision: str) -> str:
 
 
 def _git(root: Path, *words: str) -> str:
-    """What git prints; names of files, which git quotes elsewhere, are asked for with -z."""
+    """The output of a git command; with -z, git does not quote file names."""
     command = ["git", "-C", str(root), *words]
     try:
         done = subprocess.run(

@@ -1,8 +1,8 @@
 """Writes and reads manifests as JSON whose parts can be read on their own.
 
-The first line holds the names of its cases and where it comes from, and the records of a case
-are a line each: past runs are asked for these far more often than for all they hold. The first
-line has a seal of its own, and those of each case's line and of all lines after the first.
+The first line holds the names of the cases and the provenance, and the records of each case are one
+line, since these parts are read far more often than a whole manifest. The first line has its own
+seal; it also holds the seals of each case's line and of all lines after the first.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from vv.store import record_list
 from vv.store.seal import BrokenSealError, seal_of
 
 HEAD = ("holds", "provenance")
-ALL = ""  # names the seal of all lines but the first
-OWN = ', "seal": "'  # stands before the seal of the first line
+ALL = ""  # the name of the seal of all lines after the first
+OWN = ', "seal": "'  # the text before the seal of the first line
 
 
 def render(manifest: Manifest) -> str:
@@ -38,7 +38,7 @@ def render(manifest: Manifest) -> str:
 def renamed(text: str, old: str, name: str, provenance: Provenance) -> str:
     """The text of a manifest with another name and provenance, otherwise unchanged.
 
-    old: its name so far. Raises ValueError if the text is no manifest, or damaged.
+    old: its present name. Raises ValueError if the text is no manifest, or damaged.
     """
     first, _, body = text.partition("\n")
     _check(_head(first, old), ALL, body, old)
@@ -59,7 +59,7 @@ def whole(text: str, name: str) -> Manifest:
     _check(_head(first, name), ALL, body, name)
     found = codec.parse(text)
     if not isinstance(found, dict) or not isinstance(found.get("records"), dict):
-        raise ValueError("its records are not by case")
+        raise ValueError("its records are not grouped by case")
     own = {
         case: record_list.read(pile, f"manifest.records.{case}")
         for case, pile in found["records"].items()
@@ -110,7 +110,7 @@ def lines_of(lines: Iterator[str]) -> dict[str, str]:
 
 
 def _head(line: str, name: str) -> codec.Json:
-    """What the first line of a manifest holds; raises ValueError if its seal is broken."""
+    """The content of a manifest's first line; raises ValueError if its seal is broken."""
     text, own, end = line.rpartition(OWN)
     if not text.startswith('{"holds": ') or not own:
         raise BrokenSealError("its first line has no seal: it is of an older form, or damaged")
@@ -122,7 +122,7 @@ def _head(line: str, name: str) -> codec.Json:
 
 
 def _check(head: codec.Json, part: str, text: str, name: str) -> None:
-    """Raise BrokenSealError unless a part is what was kept."""
+    """Raise BrokenSealError unless a part has the digest that its seal states."""
     if head["seals"].get(part) != seal_of(name, text.encode()):
         what = f"the records of {part}" if part else "what it holds"
         raise BrokenSealError(f"{what} is not what was kept: the digest differs")

@@ -1,6 +1,6 @@
 """Reads and writes the manifests of past invocations, whole or in parts.
 
-A damaged one raises OSError, or is passed over with a notice where several are read.
+Reading a damaged one raises OSError; where several are read it is skipped with a notice.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from vv.records.manifest import Manifest, Provenance
 from vv.store import manifest_text
 
 Found = TypeVar("Found")
-DAY = 86400.0  # s, by which clocks of machines may differ
+DAY = 86400.0  # s, the largest difference between the clocks of machines
 
 
 @dataclass(frozen=True)
@@ -36,20 +36,20 @@ class Manifests:
         write_whole(self.file(what.name), manifest_text.render(what).encode())
 
     def keep_renamed(self, old: str, name: str, provenance: Provenance) -> None:
-        """Store a past invocation again, as one of that name and provenance; raises OSError."""
+        """Store a past invocation again under a new name and provenance; raises OSError."""
         text = self._of(old, lambda file: manifest_text.renamed(file.read(), old, name, provenance))
         write_whole(self.file(name), text.encode())
 
     def names(self) -> list[str]:
         """The names of past invocations, oldest first.
 
-        One whose name lies in the future, which would stay the latest until then, is none.
+        A run dated in the future is skipped, since it would stay the latest until then.
         """
         names = sorted(path.stem for path in self.folder.glob("*.json"))
         tomorrow = time.strftime("%Y%m%dT%H%M%S", time.gmtime(time.time() + DAY))
         for name in names:
             if name > tomorrow:
-                notice(f"past run {name}: its time has not come; passed over")
+                notice(f"past run {name}: it is dated in the future; skipped")
         return [name for name in names if name <= tomorrow]
 
     def read(self, name: str) -> Manifest:
@@ -61,7 +61,7 @@ class Manifests:
         return self.folder / f"{name}.json"
 
     def latest(self) -> Manifest | None:
-        """The newest past invocation that can be read, or None; damaged ones are named."""
+        """The newest readable past invocation, or None; damaged ones are reported."""
         for name in reversed(self.names()):
             if found := self.newest_of([name], notice):
                 return found[0]
@@ -72,13 +72,13 @@ class Manifests:
         return self.newest_of(self.names()[-most:], passed_over)
 
     def newest_of(self, names: Sequence[str], passed_over: Callable[[str], None]) -> list[Manifest]:
-        """The readable ones of these past invocations, newest first; names: oldest first."""
+        """The readable past invocations among these, newest first; names: oldest first."""
         found = []
         for name in reversed(names):
             try:
                 found.append(self.read(name))
             except OSError as error:
-                passed_over(f"past run {name}: {error.strerror}; passed over")
+                passed_over(f"past run {name}: {error.strerror}; skipped")
         return found
 
     def head(self, name: str) -> tuple[tuple[str, ...], Provenance]:
@@ -92,7 +92,7 @@ class Manifests:
     def digests_of(self, name: str) -> dict[str, str]:
         """Case -> digest of its records in a past invocation; empty if it cannot be read.
 
-        For who has read it whole and so knows that it is undamaged.
+        For callers that have read the whole manifest and know that it is undamaged.
         """
         path = self.file(name)
         try:
@@ -101,7 +101,7 @@ class Manifests:
             return {}
 
     def reader(self, name: str) -> Callable[[str], tuple[Record, ...]]:
-        """Reads the records of a case in a past invocation; raises as `read`."""
+        """A function that reads the records of a case in a past invocation; raises as `read`."""
         lines = self._of(name, list)
         path = self.file(name)
         return lambda case: _undamaged(path, lambda: manifest_text.records(iter(lines), case, name))
@@ -116,14 +116,14 @@ class Manifests:
 
 @functools.lru_cache(maxsize=4)
 def _digests_in(path: Path, changed: int) -> dict[str, str]:
-    """Case -> digest of its records. changed: when the file was; tells its versions apart."""
+    """Case -> digest of its records. changed: change time of the file; a key of the cache."""
     with io.TextIOWrapper(opened(path), encoding="utf-8") as file:
         lines = _undamaged(path, lambda: manifest_text.lines_of(file))
     return {case: hashlib.sha256(line.encode()).hexdigest() for case, line in lines.items()}
 
 
 def _undamaged(path: Path, read: Callable[[], Found]) -> Found:
-    """Call `read`; raises OSError where the manifest is damaged."""
+    """The result of `read`; raises OSError if the manifest is damaged."""
     try:
         return read()
     except (ValueError, TypeError) as error:

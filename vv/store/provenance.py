@@ -28,7 +28,7 @@ def run_name(now: datetime.datetime) -> str:
 
 
 def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> Provenance:
-    """What a reader needs to know about the circumstances of a result."""
+    """The circumstances of a result: commit, machine, versions, command and time."""
     revision, dirty = commit(root)
     return Provenance(
         utc=now.isoformat(timespec="seconds"),
@@ -43,7 +43,7 @@ def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> Pr
 
 @functools.cache
 def machine() -> Machine:
-    """The processor, its cores and the system: times of one machine never mix with another's."""
+    """The processor, its cores and the system; times of different machines are never mixed."""
     return Machine(
         processor=_processor(),
         cores=os.cpu_count(),

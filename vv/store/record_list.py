@@ -1,7 +1,7 @@
 """Writes lists of records compactly: each by its differences from the one before.
 
-Those of one scheme on one variant share most of what they say, and refusals nearly all: so a
-manifest is half as long, and what is shared is read once. A record that names its case is whole.
+Records of one scheme on one variant share most of their content, and refusals nearly all, so that a
+manifest is half as long and shared parts are read once. A record that names its case is complete.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from vv.records import codec
 from vv.records.codec import DamagedError, Json
 from vv.records.job_record import Record
 
-WHOLE = "case"  # the member that only a record has which is written whole
+WHOLE = "case"  # the member that marks a complete record
 FIELDS = codec.names(Record)
 
 
@@ -35,7 +35,7 @@ def read(data: object, name: str) -> tuple[Record, ...]:
             found.append(Record(**members))
         except DamagedError as error:
             raise error.within(f"{name}[{number}]") from None
-        except TypeError as error:  # a member that has no default is in none so far
+        except TypeError as error:  # a member without a default is missing in all records so far
             raise DamagedError(codec.MISSING, str(error), f"{name}[{number}]") from error
     return tuple(found)
 
@@ -57,5 +57,5 @@ def _differences(records: Iterable[Record]) -> Iterator[Json]:
 
 
 def _alike(one: object, other: object) -> bool:
-    """Whether two values are written alike: 0.0 and -0.0 are not, nor are 1 and 1.0."""
+    """Whether two values have the same JSON text: 0.0 and -0.0 differ, as do 1 and 1.0."""
     return one == other and (type(one) is str or repr(one) == repr(other))

@@ -33,7 +33,7 @@ OBSERVABLES: Mapping[str, type[Observable]] = {
 
 @dataclass(frozen=True, slots=True)
 class RunMeta:
-    """All of a run but its arrays, and the key it belongs to; terms and observables by name."""
+    """The parts of a run that are not arrays, with its key; terms and observables by name."""
 
     observables: tuple[tuple[str, int], ...]
     cost: Cost

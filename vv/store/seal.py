@@ -1,7 +1,8 @@
-"""Seals what is kept with a digest of its name and content, so that damage is noticed.
+"""Seals stored content with a digest of its name and content, so that damage is noticed.
 
-The name is part of it: a file that was copied or renamed to another place is damaged there. A
-seal is no signature: it tells rot and slips, not forgery, for which a store must stay data only.
+The name is part of the digest: a file that was copied or renamed to another place counts as damaged
+there. A seal is no signature: it detects accidents, not forgery, and therefore a store must contain
+data only.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ class BrokenSealError(ValueError):
 
 
 def seal_of(name: str, content: bytes) -> str:
-    """The seal of a content under a name, SIZE hexadecimal digits."""
+    """The seal of content under a name, SIZE hexadecimal digits."""
     person = hashlib.blake2b(name.encode("utf-8", "surrogateescape"), digest_size=16).digest()
     return hashlib.blake2b(content, digest_size=SIZE // 2, key=person).hexdigest()
 
@@ -39,7 +40,7 @@ def opened_text(name: str, whole: str) -> str:
 
 
 def sealed_bytes(name: str, content: bytes) -> bytes:
-    """A content with its seal behind it, where readers of zip files do not look."""
+    """The content with its seal appended, where readers of zip files do not look."""
     return content + seal_of(name, content).encode()
 
 

@@ -1,4 +1,4 @@
-"""Checks stored series against what a record says of them: both are of one run, or none counts."""
+"""Checks that stored series belong to a record: its figures must follow from them."""
 
 from __future__ import annotations
 
@@ -14,32 +14,34 @@ from vv.records.record import error_in
 from vv.scene import Vector
 
 NUMBERS = "fiu"  # kinds of arrays
-SUMMED = 1e-9  # relative: another machine may sum in another order, which changes some 1e-16 n
+SUMMED = 1e-9  # relative: another machine may sum in another order, which changes about 1e-16 n
 
-Said = tuple[str, float | None, float, float]  # a figure's name, as it is said, as it is, its size
+Said = tuple[
+    str, float | None, float, float
+]  # name, value in the record, value from the series, scale
 
 
 def check_series(arrays: Mapping[str, Any], quantities: Iterable[MeasuredQuantity]) -> None:
-    """Raise ValueError unless arrays are the series from which these quantities were measured."""
+    """Raise ValueError unless these quantities were measured from these series."""
     own = [one for one in quantities if one.kind is QuantityKind.SERIES]
     due = {"t"} if own else set[str]()
     for one in own:
         due |= {f"{one.name}.{part}" for part in _parts(one)}
     if arrays.keys() != due:
-        raise ValueError(f"it holds {_listed(arrays)} in place of {_listed(due)}")
+        raise ValueError(f"it holds {_listed(arrays)} instead of {_listed(due)}")
     for name, values in arrays.items():
         if (
             values.dtype.kind not in NUMBERS
             or values.shape != (len(arrays["t"]),)
             or not len(values)
         ):
-            raise ValueError(f"{name} is no series of numbers at each time")
+            raise ValueError(f"{name} is not a series with a number at each time")
     for one in own:
         _check(one, *(arrays[f"{one.name}.{part}"] for part in _parts(one)))
 
 
 def _parts(one: MeasuredQuantity) -> tuple[str, ...]:
-    """What is kept of a series: a reference leaves its end, or an error."""
+    """The stored parts of a series; one with a final reference or an error has a reference."""
     compared = one.end is not None or bool(one.errors)
     return ("value", "reference") if compared else ("value",)
 
@@ -49,7 +51,7 @@ def _listed(names: Iterable[str]) -> str:
 
 
 def _check(one: MeasuredQuantity, value: Vector, reference: Vector | None = None) -> None:
-    """Raise ValueError where a figure of the record is not that of the series."""
+    """Raise ValueError if a figure of the record does not follow from the series."""
     with np.errstate(all="ignore"):
         for what, said, seen, size in _figures(one, value, reference):
             known = math.nan if said is None else said
@@ -59,7 +61,7 @@ def _check(one: MeasuredQuantity, value: Vector, reference: Vector | None = None
 
 
 def _figures(one: MeasuredQuantity, value: Vector, reference: Vector | None) -> Iterator[Said]:
-    """The figures that the record has of a series."""
+    """The figures of a series that the record states."""
     size = _largest(value)
     own = {"final": float(value[-1]), "mean": float(value.mean())}
     for name, said in one.figures.items():
@@ -73,5 +75,5 @@ def _figures(one: MeasuredQuantity, value: Vector, reference: Vector | None) -> 
 
 
 def _largest(values: Vector) -> float:
-    """The largest size of those that are finite."""
+    """The largest absolute value among the finite ones."""
     return float(np.abs(values[np.isfinite(values)]).max(initial=0.0))

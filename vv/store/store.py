@@ -1,9 +1,9 @@
 """Stores runs, records and facts, each under a digest of all that it depends on.
 
-Every file is written beside its place and renamed, so that a killed process leaves whole files
-or none, and two processes at once at worst write the same file twice. Every file is sealed with a
-digest of its place and content: what is damaged or got into the wrong place is named and answers
-nothing. Nothing that is read is code.
+Every file is written under a temporary name and renamed, so that a killed process leaves complete
+files or none; two processes at once at worst write the same file twice. Every file is sealed with a
+digest of its path and content: a file that is damaged or in the wrong place is reported and not
+used. No file that is read contains code.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ from vv.store.seal import opened_bytes, opened_text, sealed_bytes, sealed_text
 from vv.store.series_check import check_series
 
 Found = TypeVar("Found")
-Session = dict[str, TimedRun]  # what a timing session measured, by the keys of the runs
-STALE = 7 * 86400.0  # s that the logs of a failure are kept
+Session = dict[str, TimedRun]  # the measurements of a timing session, by the keys of the runs
+STALE = 7 * 86400.0  # s for which the logs of a failure are kept
 ABSENT = (FileNotFoundError, NotADirectoryError)
 UNREADABLE = (OSError, ValueError, KeyError, TypeError)
 
@@ -48,7 +48,7 @@ UNREADABLE = (OSError, ValueError, KeyError, TypeError)
 class _Kept:
     """The stored summary of a record, and the key it belongs to."""
 
-    run: RunSummary = field(metadata={SPREAD: True})  # its fields stand beside the key
+    run: RunSummary = field(metadata={SPREAD: True})  # its fields are written beside the key
     key: str
 
 
@@ -74,11 +74,11 @@ class Store:
             return None
 
     def has_run(self, key: str) -> bool:
-        """Whether something is stored as the run of that key."""
+        """Whether a run of that key is stored; the file is not checked."""
         return self._path("runs", key, "npz").is_file()
 
     def keep_run(self, key: str, run: Run) -> None:
-        """Store a run that ran; failures are never kept."""
+        """Store a run that reached its end; failures are never stored."""
         if run.status is Status.RAN:
             self._keep_arrays("runs", key, arrays_of(run, key))
 
@@ -96,9 +96,9 @@ class Store:
         self._write("records", key, _Kept(run, key))
 
     def series(self, key: str, quantities: Iterable[MeasuredQuantity]) -> dict[str, Vector] | None:
-        """The arrays kept beside a record, of which its quantities were measured.
+        """The stored series of a record, from which its quantities were measured.
 
-        None if there are none, or if they are not those of the quantities.
+        None if there are none, or if they do not agree with the quantities.
         """
         try:
             arrays = self._arrays("records", key)
@@ -111,12 +111,12 @@ class Store:
         return arrays
 
     def series_of(self, records: Iterable[Record]) -> Callable[[str], Mapping[str, Vector]]:
-        """Reads the arrays kept beside these records, by key; empty where there are none."""
+        """A function that returns the series of one of these records by its key; empty if none."""
         measured = {one.key: one.quantities for one in records}
         return functools.cache(lambda key: self.series(key, measured[key]) or {})
 
     def state(self) -> tuple[int, ...]:
-        """Sizes and times of change of all stored records: any change of a file changes one."""
+        """Sizes and change times of all stored records; they show any change of a file."""
         folders = [place for place in self.root.glob("records/*") if place.is_dir()]
         files = sorted(
             (one.name, one.stat(follow_symlinks=False))
@@ -126,7 +126,7 @@ class Store:
         return tuple(n for _, s in files for n in (s.st_size, s.st_mtime_ns, s.st_ctime_ns))
 
     def timings(self, session: str) -> Session | None:
-        """The timing session of this digest of what was timed and on which machine."""
+        """The timing session with this digest of the timed runs and the machine."""
         return self._read(Session, "timings", session)
 
     def keep_timings(self, session: str, timings: Session) -> None:
@@ -140,15 +140,15 @@ class Store:
         return files[-1].stem if files else ""
 
     def answer(self, key: str) -> Answer | None:
-        """What is kept of an invocation under the digest of all it depends on."""
+        """The stored answer to an invocation, by the digest of its inputs; None if none."""
         return self._read(Answer, "answers", key)
 
     def keep_answer(self, key: str, answer: Answer) -> None:
-        """Keep the manifest's name and printed output of an invocation for reuse."""
+        """Store the answer to an invocation, so that it can be reused."""
         self._write("answers", key, answer)
 
     def facts(self, kind: type[Found], key: str) -> Found | None:
-        """Facts derived from results, under the digest of all they were derived from."""
+        """The stored facts derived from results, by the digest of their sources; None if none."""
         return self._read(kind, "facts", key)
 
     def keep_facts(self, key: str, facts: object) -> None:
@@ -161,7 +161,7 @@ class Store:
         return Path(tempfile.mkdtemp(dir=self.root / "scratch"))
 
     def clear_scratch(self) -> None:
-        """Remove what workers that failed, or were killed, left behind long ago."""
+        """Remove old files of workers that failed or were killed."""
         for folder in (self.root / "scratch").glob("*"):
             with contextlib.suppress(OSError):
                 if time.time() - folder.stat().st_mtime > STALE:
@@ -180,9 +180,9 @@ class Store:
             return None
 
     def _passed_over(self, layer: str, key: str, suffix: str, error: Exception) -> None:
-        """Say that a file is damaged; what it held is made again."""
+        """Print a notice that a file is damaged, and ignored."""
         why = error.strerror if isinstance(error, OSError) else error
-        notice(f"{self._path(layer, key, suffix)}: {why}; passed over, and made again")
+        notice(f"{self._path(layer, key, suffix)}: {why}; it is ignored and made again")
 
     def _write(self, layer: str, key: str, what: object) -> None:
         text = sealed_text(f"{layer}/{key}", codec.render(what))

@@ -1,6 +1,6 @@
 """Sends batches to the workers of a dask cluster; this machine keeps store and messages.
 
-Costs are timed by a worker that was given the resource `timing`, in one task, or else here.
+Costs are timed in one task by a worker with the resource `timing`, or else on this machine.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ from vv.store.store import Store
 
 SCHEME = "dask://"
 PATIENCE = 5.0  # s that the scheduler may take to answer
-WORTHWHILE = 1.0  # s that a batch should take at least, beside which a task's 8 ms are little
-STARTS = 4.0  # times the start of its program that it should take
-LONGEST = 500  # characters of a reason
-TIMING = "timing"  # the resource of a worker that has a machine to itself
+WORTHWHILE = 1.0  # s that a batch should take at least, compared with the 8 ms that a task costs
+STARTS = 4.0  # multiples of its program's start-up time that a batch should take at least
+LONGEST = 500  # the most characters of a reason
+TIMING = "timing"  # the resource of a worker that has a machine of its own
 
 
 @dataclass(frozen=True)
 class Cluster:
     """The workers of a dask scheduler.
 
-    digests: of every code, as the head has it; paces: id of a job -> how long it will take.
+    digests: of every code, as the head has it; paces: id of a job -> its expected duration.
     """
 
     address: str
@@ -49,7 +49,7 @@ class Cluster:
     paces: Mapping[int, Pace]
 
     def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
-        """Batches of a second or more, and of several times what the program takes to start."""
+        """Batches of at least a second and several times the start-up time of the program."""
         expected = [self.paces[id(job)] for job in jobs]
         start = max(pace.start for pace in expected)
         rest = [pace.rest for pace in expected]
@@ -59,14 +59,15 @@ class Cluster:
     def run(self, batches: Iterable[Batch], timeout: float) -> Iterator[tuple[int, Run]]:
         """Yield (number, run) batch by batch; a batch that kills its worker twice has failed.
 
-        A dying worker also loses the batches that wait on it; each of these is tried again, alone.
+        A worker that dies also loses the batches waiting for it; each of these is tried again,
+        alone.
         """
         with self._client() as client:
             due = {self._submitted(client, batch, timeout): batch for batch in batches}
             lost = []
             for future in _distributed().as_completed(list(due)):
                 came = _came(future)
-                if isinstance(came, CancelledError):  # nobody is there to try it again
+                if isinstance(came, CancelledError):  # no worker is left to try it again
                     yield from _failed(due[future], "the scheduler is gone")
                 elif isinstance(came, Exception):
                     lost.append(due[future])
@@ -79,7 +80,7 @@ class Cluster:
                 yield from _failed(batch, why) if failed else came
 
     def timer(self) -> Machine:
-        """The machine of a worker that was given the resource `timing`; this one if none was."""
+        """The machine of a worker with the resource `timing`; this machine if there is none."""
         with self._client() as client:
             if not _may_time(client):
                 return machine()
@@ -87,7 +88,7 @@ class Cluster:
             return found
 
     def timed(self, batches: Sequence[Batch], timeout: float) -> list[Timed]:
-        """One task on that worker; says what could not be timed there."""
+        """Time all batches in one task on that worker; a notice names those not timed."""
         with self._client() as client:
             if not _may_time(client):
                 return rounds(batches, timeout, Store(self.project.data()).scratch)

@@ -26,14 +26,14 @@ from vv.run.process import Batch
 from vv.run.rounds import Timed, rounds
 from vv.run.runner import run_batches
 
-PLACE = re.compile(r"; see (\S+)$")  # how a reason ends that names a folder of the worker
+PLACE = re.compile(r"; see (\S+)$")  # the end of a reason that names a folder of the worker
 Answers = list[tuple[int, Run]]
 Measured = tuple[list[Timed], list[str]]  # and why some batches were not timed
 
 
 @dataclass(frozen=True)
 class Task:
-    """A batch as it is sent: the code's name, and the code's digest at the sender.
+    """A batch in the form in which it is sent, with the name and the digest of the code.
 
     root: the folder of the project, which must be there for the workers too; None for what came
     with vv. programs: TOML files of further codes.
@@ -50,7 +50,7 @@ class Task:
 
 
 def resources(dask_worker: Any) -> list[str]:
-    """The resources that it was given."""
+    """The resources of this worker."""
     return list(dask_worker.state.total_resources)
 
 
@@ -91,7 +91,7 @@ def _project(task: Task) -> Project:
 
 @functools.cache
 def _digest(root: Path | None, programs: tuple[Path, ...], code: str) -> str:
-    """The digest of a code when it was loaded: later edits are not in memory."""
+    """The digest of a code, taken when it was loaded; later edits are not in memory."""
     project = _project(Task(root, programs, code, "", "", (), (), 0.0))
     return keys.code_digest(project, project.load_adapter(code).found(), code)
 
@@ -110,7 +110,7 @@ def _why_not(task: Task) -> str:
 
 
 def _with_log(run: Run) -> Run:
-    """The run; if its reason names a folder of this worker, with the end of the log there."""
+    """The run; a folder of this worker in its reason is replaced by the end of the log there."""
     place = PLACE.search(run.reason)
     if place is None:
         return run
