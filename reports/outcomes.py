@@ -35,39 +35,61 @@ WORST_FIRST = (
         Outcome.ERROR, "‼", "error", "bad", "the code or its adapter stopped with an error"
     ),
     ShownOutcome(Outcome.DIVERGED, "∞", "diverged", "bad", "the result is not finite"),
-    ShownOutcome(Outcome.TIMEOUT, "◷", "timeout", "bad", "stopped after its time was over"),
+    ShownOutcome(
+        Outcome.TIMEOUT, "◷", "timeout", "bad", "stopped because it exceeded its time limit"
+    ),
     ShownOutcome(
         Outcome.NOT_REPORTED, "?", "not reported", "bad", "it ran, but reported nothing to judge"
     ),
     ShownOutcome(
-        Outcome.FAIL, "✗", "fail", "bad", "outside the tolerance, or outside a known band"
+        Outcome.FAIL,
+        "✗",
+        "fail",
+        "bad",
+        "outside the tolerance, or the band of a known error",
     ),
     ShownOutcome(
         Outcome.NOT_CONSERVED,
         "≠",
         "not conserved",
         "bad",
-        "by its own balance of energy, energy was made or a law broken",
+        "its own energy balance shows created energy or a violated law",
     ),
     ShownOutcome(
-        Outcome.XPASS, "!", "unexpected pass", "odd", "passes, though a disagreement is on record"
+        Outcome.XPASS, "!", "unexpected pass", "odd", "passes although a disagreement is on record"
     ),
-    ShownOutcome(Outcome.NOT_RUN, "·", "not run", "odd", "planned, but it never ran"),
+    ShownOutcome(Outcome.NOT_RUN, "·", "not run", "odd", "planned, but not run"),
     ShownOutcome(
-        Outcome.XFAIL, "≈", "known disagreement", "known", "fails inside the band on record"
+        Outcome.XFAIL,
+        "≈",
+        "known disagreement",
+        "known",
+        "fails within its band",
     ),
     ShownOutcome(
-        Outcome.REFUSED, "⊘", "not supported", "idle", "the code has no honest way to do this"
+        Outcome.REFUSED,
+        "⊘",
+        "not supported",
+        "idle",
+        "the code cannot solve this problem as stated",
     ),
     ShownOutcome(
-        Outcome.TOO_LONG, "…", "too long", "idle", "left out: it would take the code too many steps"
+        Outcome.TOO_LONG,
+        "…",
+        "too long",
+        "idle",
+        "left out because the code would need too many steps",
     ),
     ShownOutcome(Outcome.NOT_INSTALLED, "○", "not installed", "idle", "the code was not found"),
     ShownOutcome(
-        Outcome.BLOW_UP, "✸", "blow-up", "shown", "diverged in a map, which shows where codes do"
+        Outcome.BLOW_UP, "✸", "blow-up", "shown", "diverged in a map, where divergence is a result"
     ),
     ShownOutcome(
-        Outcome.NO_REFERENCE, "◇", "shown only", "shown", "shown, with nothing to judge it by"
+        Outcome.NO_REFERENCE,
+        "◇",
+        "shown only",
+        "shown",
+        "shown, without a reference to judge it by",
     ),
     ShownOutcome(Outcome.PASS, "✓", "pass", "good", "within the tolerance of its class of method"),
 )
@@ -76,22 +98,22 @@ RANKS = {known.key: rank for rank, known in enumerate(WORST_FIRST)}
 
 
 def shown_outcome(record: Record) -> ShownOutcome:
-    """The outcome of a record, as it is shown."""
+    """The outcome of a record in the form in which it is shown."""
     return OUTCOMES[outcome(record)]
 
 
 def shown_by(record: Record, one: MeasuredQuantity) -> ShownOutcome:
-    """The outcome of a record by one of its quantities, as it is shown."""
+    """The outcome of a record by one of its quantities, in the form in which it is shown."""
     return OUTCOMES[outcome_by(record, (one,))]
 
 
 def counted(records: Iterable[Record]) -> list[tuple[ShownOutcome, int]]:
-    """(outcome, how many) for the outcomes there are, worst first."""
+    """(outcome, number of records) for each outcome of the records, worst first."""
     return _worst_first(counted_by_outcome(records))
 
 
 def summed(shown: Iterable[ShownOutcome]) -> list[tuple[ShownOutcome, int]]:
-    """As `counted`, of outcomes that are known already."""
+    """(outcome, number) for each of these outcomes, worst first."""
     return _worst_first(Counter(one.key for one in shown))
 
 

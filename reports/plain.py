@@ -14,14 +14,14 @@ from vv.records.outcomes import Outcome, Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import rung
 
-LONG = 60  # characters of an explanation that a page gives once
-LAWS = {  # of ledgers -> what a breach of it is, before the number
+LONG = 60  # explanations longer than this appear once on a page
+LAWS = {  # law of a ledger -> description of its violation, before the number
     "energy that no term explains": "Energy not accounted for:",
     "energy created": "Energy not conserved: created",
-    "error of the momentum balance": "Momentum changes without a force: by",
-    "penetration": "Bodies go into each other: by",
-    "residual of contact": "Contact not solved: residual",
-    "Coulomb: friction beyond mu N": "Coulomb's law broken: friction beyond mu N by",
+    "error of the momentum balance": "Momentum not conserved: error",
+    "penetration": "Bodies penetrate each other: by",
+    "residual of contact": "Contact not converged: residual",
+    "Coulomb: friction beyond mu N": "Coulomb's law violated: friction exceeds mu N by",
 }
 
 
@@ -33,16 +33,16 @@ def breach(found: Breach) -> str:
     start = LAWS.get(name)
     if start is None and name.startswith("negative "):
         form = name.removeprefix("negative ").capitalize()
-        start = f"{form} below zero, which creates energy: by"
+        start = f"{form} is negative, which creates energy: by"
     if start is None:
-        start = f"Law broken, {name}:"
+        start = f"Law violated, {name}:"
     return f"{start} {short(seen)}{unit}, allowed {short(allowed)}{unit}"
 
 
 def excess(one: MeasuredQuantity) -> str:
     """A quantity beyond its bound, with its value and the bound."""
     if one.verdict is Verdict.XPASS:
-        return f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
+        return f"{one.name} passes although a disagreement is on record: error {short(one.error)}"
     if one.error is not None and one.tolerance is not None:
         norm = f" (norm {NORM_NAMES[one.norm]})" if one.norm not in (None, Norm.MAX) else ""
         found, due = f"Error of {one.name}{norm} {short(one.error)}", short(one.tolerance)
@@ -62,9 +62,9 @@ def with_notes(quantities: Iterable[MeasuredQuantity]) -> list[str]:
 
 
 def once(text: str, place: str, explained: dict[str, str]) -> str:
-    """A text in which long explanations are replaced by references to their first occurrence.
+    """A text in which repeated long explanations are replaced by references.
 
-    explained: explanation -> the place at which it stands; those of this text are added to it.
+    explained: explanation -> the place of its first occurrence; those of this text are added.
     """
     known = {
         part: explained.setdefault(part, place) for part in text.split("; ") if len(part) > LONG
@@ -77,7 +77,7 @@ def once(text: str, place: str, explained: dict[str, str]) -> str:
 
 
 def reason(record: Record, came: Outcome) -> str:
-    """The reason of a record's outcome; empty where the word is enough."""
+    """The reason of a record's outcome; empty if the name of the outcome says enough."""
     if came is Outcome.NOT_CONSERVED:
         texts = [breach(found) for found in breaches(record.ledger)]
     else:
@@ -87,13 +87,13 @@ def reason(record: Record, came: Outcome) -> str:
 
 
 def setting(record: Record) -> str:
-    """The setting of a record as people write it; empty if it has none."""
+    """The setting of a record in words; empty if it has none."""
     knobs = (("dt", record.rung.dt, "s"), ("kn", record.rung.kn, "N/m"))
     return ", ".join(f"{name} = {value:.6g} {unit}" for name, value, unit in knobs if value)
 
 
 def command(record: Record) -> str:
-    """The command that shows a record again."""
+    """The command that reruns the job of a record."""
     words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", record.label]
     at = rung(record)
     if at:

@@ -21,7 +21,7 @@ from vv.base.metrics import POINTWISE_THRESHOLD
 from vv.case import Norm
 from vv.records.case_facts import QuantityFacts
 
-FEW = 3  # schemes that the text in place of a figure lists in full
+FEW = 3  # the most schemes that an alternative text lists in full
 
 
 @dataclass(frozen=True)
@@ -41,10 +41,10 @@ def figures(
     norm: Norm,
     critical: Critical = NO_CRITICAL,
 ) -> list[Figure]:
-    """A quantity over time and its errors over time and step, as far as there is any to draw.
+    """The figures of a quantity: over time, its relative error over time, and its error over step.
 
-    Errors at every stiffness and every step of a few make a map instead of curves; critical:
-    stiffness -> what the steps of such a map are multiples of.
+    Errors at every stiffness and every step of a grid are drawn as a map instead of curves;
+    critical: stiffness -> the step in whose multiples the steps of the map are given.
     """
     symbol = f"{quantity.symbol} [{quantity.unit}]" if quantity.unit else quantity.symbol
     error = _error(quantity, norm)
@@ -57,7 +57,7 @@ def figures(
 def cost_figures(
     steps: Sequence[Ladder], quantity: QuantityFacts, norm: Norm, critical: Critical = NO_CRITICAL
 ) -> list[Figure]:
-    """The cost of errors of a quantity, unless a map shows it; arguments as for `figures`."""
+    """The figure of error against cost, unless errors are in a map; arguments as for `figures`."""
     if error_map(steps, critical) is not None:
         return []
     return _cost(steps, _error(quantity, norm), quantity.symbol)
@@ -69,13 +69,13 @@ def _error(quantity: QuantityFacts, norm: Norm) -> str:
 
 
 def _map(heat: HeatMap, error: str, of: str) -> Figure:
-    """The map, with the stiffness that serves each code best at its finest step."""
+    """The figure of a map, with the stiffness of the smallest error at the finest step."""
     best = [f"{panel.mark.label} {brief(panel.best())} N/m" for panel in heat.panels]
     panels = heat.panels
     signs = {
-        " Crossed: no result, or one off by as much as the answer.": [p.lost() for p in panels],
+        " Cross: no result, or an error of 100 % or more.": [p.lost() for p in panels],
         " Dash: not supported.": [p.refused & ~p.too_long for p in panels],
-        " Dot: not run, it would take too many steps.": [p.too_long for p in panels],
+        " Dot: not run, since it would need too many steps.": [p.too_long for p in panels],
     }
     legend = "".join(text for text, cells in signs.items() if any(map(np.any, cells)))
     caption = f"Smallest error at the finest step: {listed(best)}.{legend}"
@@ -126,8 +126,8 @@ def _relative(over_time: Sequence[History], of: str) -> list[Figure]:
 def _step(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
     chart = charts.error_against_step(steps, error)
     if chart is None or not (chart.curves or any(rim.above for rim in chart.rims)):
-        return []  # no error anywhere
-    caption = f"Dashed: slopes to compare with.{_rims(chart)}"
+        return []  # no point has an error
+    caption = f"Dashed: slopes for comparison.{_rims(chart)}"
     return [
         Figure(draw(chart), f"Error of {of} against step", caption, f"{error}: {_ranges(steps)}")
     ]
@@ -136,16 +136,16 @@ def _step(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
 def _cost(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
     chart = charts.error_against_cost(steps, error)
     if not (chart.curves or any(rim.above for rim in chart.rims)):
-        return []  # no error anywhere
+        return []  # no point has an error
     inside = [curve.hollow for curve in chart.curves]
     hollow, filled = any(h.any() for h in inside), any((~h).any() for h in inside)
     kinds = {
         (
             True,
             True,
-        ): "Filled, joined: timed alone on one core; grey: the front. Hollow: indicative.",
+        ): "Filled, joined: timed alone on one core; grey: the Pareto front. Hollow: indicative.",
         (True, False): "Timed alone on one core; grey: the Pareto front.",
-        (False, True): "All hollow: indicative costs, measured while other jobs ran beside.",
+        (False, True): "All hollow: indicative costs, measured while other jobs ran.",
     }
     free = sorted({s.mark.label for s in steps for p in s.points if p.error and not p.cpu > 0})
     lost = f" Not drawn, no cost measured at some setting: {listed(free)}." if free else ""
@@ -155,23 +155,23 @@ def _cost(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
 
 
 def _rims(chart: Chart) -> str:
-    """The meaning of marks at the edges, in words."""
+    """The explanation of the marks at the edges."""
     above = sorted({rim.mark.label for rim in chart.rims if rim.above})
     below = sorted({rim.mark.label for rim in chart.rims if not rim.above})
     ringed = sorted({c.mark.label for c in chart.curves if c.ringed.any()})
     parts = [
-        f" Ringed, outside what is due: {listed(ringed)}." if ringed else "",
-        f" Crossed on the upper rim, without a result: {listed(above)}." if above else "",
-        f" On the lower rim, below the axis: {listed(below)}." if below else "",
+        f" Ringed, outside the bound: {listed(ringed)}." if ringed else "",
+        f" Crossed on the upper edge, without a result: {listed(above)}." if above else "",
+        f" On the lower edge, below the axis: {listed(below)}." if below else "",
     ]
     return "".join(parts)
 
 
 def _finest(over_time: Sequence[History]) -> str:
-    """The steps of what is drawn, in words."""
+    """The steps of the drawn settings, in words."""
     steps = {h.mark.label: h.dt for h in over_time if h.dt is not None}
     if not steps:
-        return "No code here has a step"
+        return "No code here has a time step"
     if len(set(steps.values())) == 1:
         return f"Finest setting, dt = {brief(next(iter(steps.values())))} s"
     usual = Counter(steps.values()).most_common(1)[0][0]
@@ -199,7 +199,7 @@ def _costs(steps: Sequence[Ladder]) -> str:
 
 
 def _known(steps: Sequence[Ladder]) -> dict[str, list[Point]]:
-    """Scheme -> its points with an error."""
+    """The points of each scheme that have an error, by label."""
     found: dict[str, list[Point]] = {}
     for ladder in steps:
         for point in ladder.points:
@@ -209,9 +209,10 @@ def _known(steps: Sequence[Ladder]) -> dict[str, list[Point]]:
 
 
 def _in_short(by_scheme: Mapping[str, tuple[float | None, str]]) -> str:
-    """The text of each scheme; of many, those with the least and the largest number.
+    """The texts of all schemes; of many, those with the smallest and the largest number.
 
-    Who listens does not want twelve schemes in each of four figures: all are in the tables.
+    An alternative text with twelve schemes for each of four figures would be too long to listen to;
+    the tables have all.
     """
     if len(by_scheme) <= FEW:
         return ", ".join(text for _, text in by_scheme.values())

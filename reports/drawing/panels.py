@@ -12,7 +12,7 @@ from reports.drawing.svg import drawing, number, text, title
 from reports.text import brief, power, sci
 from vv.insight.stability_summary import WRONG
 
-ACROSS = 3  # panels side by side
+ACROSS = 3  # panels in a row
 WIDTH, LEFT, BAR, GAP, HEAD, FOOT = 470.0, 46.0, 44.0, 10.0, 16.0, 46.0
 LEAST, MOST = 66.0, 150.0  # heights of a panel
 # viridis (van der Walt and Smith 2015) in eleven steps; dark is wrong
@@ -25,7 +25,7 @@ SCALE = (
 def draw_map(heat: HeatMap) -> Markup:
     """The panels in rows, and the scale beside them.
 
-    A cell that blew up is crossed, one that was refused has a dash, one too long to run a dot.
+    A diverged cell has a cross, a refused one a dash, one with too many steps a dot.
     """
     ends = _ends(heat)
     columns = min(ACROSS, len(heat.panels))
@@ -48,7 +48,7 @@ def draw_map(heat: HeatMap) -> Markup:
 
 
 def _ends(heat: HeatMap) -> tuple[int, int]:
-    """Powers of ten about all errors that are no larger than the answer itself."""
+    """The powers of ten that enclose all errors below 100 %."""
     known = np.concatenate([panel.error.ravel() for panel in heat.panels])
     known = np.minimum(known[np.isfinite(known) & (known > 0)], WRONG)
     low, high = math.floor(np.log10(known.min())), math.ceil(np.log10(known.max()))
@@ -67,7 +67,7 @@ def _panel(
     first: bool,
     lowest: bool,
 ) -> list[str]:
-    """A panel: its cells, its name, steps below the lowest row, stiffnesses beside the first."""
+    """A panel with its cells and name; steps are labelled below the last row, stiffnesses left."""
     x, y, width, height = box
     wide, high = width / len(panel.dt), height / len(panel.kn)
     lost = panel.lost()
@@ -93,7 +93,7 @@ def _panel(
 
 def _in_words(panel: Panel, i: int, j: int) -> str:
     if panel.too_long[i, j]:
-        return "not run, it would take too many steps"
+        return "not run, since it would need too many steps"
     if panel.refused[i, j]:
         return "not supported"
     error = float(panel.error[i, j])
@@ -101,7 +101,7 @@ def _in_words(panel: Panel, i: int, j: int) -> str:
 
 
 def _sign(panel: Panel, i: int, j: int, lost: bool) -> str:
-    """What is drawn over a cell: a cross, a dash or a dot, about its middle."""
+    """The mark on a cell: a cross, a dash or a dot at its centre."""
     if panel.too_long[i, j]:
         return '<path class="idle" d="M{x} {y}h.1"/>'
     if panel.refused[i, j]:
@@ -118,7 +118,7 @@ def _cell(box: tuple[float, float, float, float], fill: str, tip: str, sign: str
 
 
 def _bar(ends: tuple[int, int], top: float, bottom: float) -> list[str]:
-    """The scale of colours with its powers of ten."""
+    """The colour scale with its powers of ten."""
     x, each = WIDTH - BAR + 10, (bottom - top) / len(SCALE)
     parts = [
         f'<rect x="{x:g}" y="{number(bottom - (i + 1) * each)}" width="8" '

@@ -53,16 +53,16 @@ def together(book: Book) -> Together:
     for mark, one in lines:
         rows += [(mark, "held", one.held), (mark, "all", one.every)]
     ratios = Figure(
-        draw_ratios(_kinds(book)), "All that was measured: computed over measured",
+        draw_ratios(_kinds(book)), "All measurements: computed over measured values",
         "On the line both are equal. Grey: two standard uncertainties of the measurement. Filled: "
-        "held to it by a band; hollow: shown only. Dots of codes that agree lie on each other.",
-        "computed over measured values of every quantity, a column for each kind",
+        "judged by a band; hollow: shown only. Dots of codes that agree coincide.",
+        "computed over measured values of all quantities, with a column for each kind",
     )  # fmt: skip
     biases = Figure(
-        draw_biases(rows), "Bias of each scheme, and two scatters either way",
+        draw_biases(rows), "Bias of each scheme, with an interval of two scatters on either side",
         "Grey: two standard uncertainties of the measurements. Held: where a law is meant to hold; "
         "all: where it is only shown too.",
-        "bias and scatter of each scheme, which the table beside them has as numbers",
+        "bias and scatter of each scheme; the table has the numbers",
     )  # fmt: skip
     return Together(lines, (ratios, biases) if lines else (), _sweeps(book))
 

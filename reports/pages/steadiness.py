@@ -12,30 +12,30 @@ from vv.insight.stability_summary import Kind, StabilityStatement
 KINDS = {
     Kind.STEP: (
         "Largest stable step",
-        "Sought in each code, over what theory gives. A step is stable if the run comes to its "
-        "end within the bound that the case states; one that a code refuses is run all the same.",
+        "As found in each code, over the theoretical one. A step is stable if the run reaches its "
+        "end within the bound that the case states; steps that a code refuses are run too.",
     ),
     Kind.MAP: (
         "Maps over stiffness and step",
-        "Lost: diverged, or off by as much as the answer. Steps are multiples of the critical one "
-        "that the case states. The figures stand with the variants.",
+        "Lost: diverged, or with an error of 100 %. Steps are multiples of the critical step "
+        "that the case states. The maps are shown with the variants.",
     ),
     Kind.DRIFT: (
         "Drift",
-        "The largest breach, at any setting, of what the motion conserves.",
+        "The largest change, at any setting, of a quantity that the motion conserves.",
     ),
     Kind.COUNT: (
         "Counts",
-        "Events seen in the output. Where an event hangs on the last digit no order is due.",
+        "Events in the output. No order in dt is expected if an event depends on rounding.",
     ),
 }
 
 
 @dataclass(frozen=True)
 class Stable:
-    """One kind of finding on stability, and its lines: schemes that say the same share one.
+    """One kind of statement on stability, with its lines; schemes with equal statements share one.
 
-    lines: (link, case: variant, what is said and by which schemes).
+    lines: (link, case: variant, statements with their schemes).
     """
 
     title: str
@@ -44,7 +44,7 @@ class Stable:
 
 
 def sections(book: Book) -> list[Stable]:
-    """A section for each kind there is anything of."""
+    """A section for each kind that has statements."""
     statements = book.stability
     return [
         Stable(title, caption, _lines(book, [one for one in statements if one.kind is kind]))

@@ -109,7 +109,7 @@ def test_a_variant_with_the_same_reference_is_drawn_only_in_trouble(
         records=(*manifest.records, *mirrored),
     )
     page = built(more, store)
-    assert '#bounce--T1">T1</a>: the figures there serve' in page
+    assert '#bounce--T1">T1</a>; the figures there apply' in page
     drawn = page.count('role="img"')
     trouble = (*manifest.records, requantified(mirrored[0], verdict="fail"), *mirrored[1:])
     assert built(dataclasses.replace(more, records=trouble), store).count('role="img"') == drawn + 4
@@ -131,7 +131,11 @@ def test_costs_of_whole_processes_are_marked_and_explained(
     assert "◻" not in pages(manifest, store)[CASE]
     whole = [changed(r, cost=changed(r.cost, whole=True)) for r in manifest.records]
     made = pages(dataclasses.replace(manifest, records=tuple(whole)), store)[CASE]
-    for words in (" ◻", "the program does not say what its steps cost", "costs of whole processes"):
+    for words in (
+        " ◻",
+        "the program does not report the cost of its steps",
+        "costs of whole processes",
+    ):
         assert words in made
 
 
@@ -213,8 +217,10 @@ def test_the_parameters_of_a_variant_that_are_not_those_of_the_table_are_told(
     usual = record("a/a", "T1", 1e-3, parameters={"m": 1.0})
     other = record("a/a", "T2", 1e-3, parameters={"m": 2.5})
     page = built(manifest_of(usual, other), store)
-    assert "Other than in the table" not in part(page, "bounce--T1")
-    assert "Other than in the table: <code>m</code> = 2.5." in words(part(page, "bounce--T2"))
+    assert "Parameters that differ from the table" not in part(page, "bounce--T1")
+    assert "Parameters that differ from the table: <code>m</code> = 2.5." in words(
+        part(page, "bounce--T2")
+    )
     page = built(manifest_of(usual, changed(other, modified=True)), store)
     assert "<b>Modified parameters:</b> m = 2.5." in words(part(page, "bounce--T2"))
     assert "Modified" not in part(page, "bounce--T1")
@@ -226,7 +232,7 @@ def test_what_an_error_costs_stands_with_each_timed_variant(
     made = pages(manifest, store)
     timed = {r.variant for r in manifest.records if r.cost.timed}
     assert timed
-    assert made[CASE].count("What an error costs") == len(timed)
+    assert made[CASE].count("Cost of an error:") == len(timed)
     assert "What accuracy costs" in made["index.html"]
 
 

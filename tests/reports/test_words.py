@@ -18,7 +18,9 @@ def test_laws_are_broken_in_plain_words() -> None:
     said = plain.breach(("energy created [J]", 1390.0, 2e-10))
     assert said == "Energy not conserved: created 1.39e3 J, allowed 2.00e-10 J"
     assert plain.breach(("negative drag dissipation [J]", 1.0, 0.1)).startswith("Drag dissipation")
-    assert plain.breach(("something [N]", 1.0, 0.1)) == "Law broken, something: 1 N, allowed 0.1 N"
+    assert (
+        plain.breach(("something [N]", 1.0, 0.1)) == "Law violated, something: 1 N, allowed 0.1 N"
+    )
 
 
 def test_a_command_shows_the_very_setting_again_and_is_safe_to_paste() -> None:
@@ -55,7 +57,7 @@ def test_a_time_has_a_unit() -> None:
 
 def test_an_xpass_says_so() -> None:
     one = changed(entry("xpass", {"max": 1e-9}))
-    assert "passes, though a disagreement is on record" in plain.excess(one)
+    assert "passes although a disagreement is on record" in plain.excess(one)
 
 
 def test_a_note_that_several_quantities_share_is_said_once() -> None:

@@ -173,7 +173,7 @@ def test_a_run_that_tried_nothing_is_no_answer_to_a_search() -> None:
 
 def test_a_scheme_without_a_step_has_none_to_search() -> None:
     asked = study(Bracket(8.0, BOUND)).ask(Knobs())
-    assert "no step" in (no_steps(asked) or "")
+    assert "no time step" in (no_steps(asked) or "")
 
 
 def test_all_steps_of_a_search_are_as_many() -> None:

@@ -70,9 +70,9 @@ def test_an_error_that_is_not_finite_is_said_to_be_unknown() -> None:
     ("arrays", "said"),
     [
         (without("t"), "it holds y.reference, y.value instead of t, y.reference, y.value"),
-        (without("y.reference"), "it holds t, y.value in place of"),
+        (without("y.reference"), "it holds t, y.value instead of"),
         ({}, "it holds nothing instead of t"),
-        ({**ARRAYS, "z.value": ARRAYS["t"]}, "it holds t, y.reference, y.value, z.value in place"),
+        ({**ARRAYS, "z.value": ARRAYS["t"]}, "it holds t, y.reference, y.value, z.value instead"),
         ({name: array[:0] for name, array in ARRAYS.items()}, "t is not a series with a number"),
         (
             {**ARRAYS, "y.value": np.ones((3, 1))},

@@ -120,15 +120,15 @@ def test_shares_are_stairs_that_end_at_twice_the_largest() -> None:
 def test_captions_name_what_is_on_the_rims_and_what_has_no_cost() -> None:
     (steps,) = figures([], LADDERS, QUANTITY, Norm.MAX)
     assert steps.caption == (
-        "Dashed: slopes to compare with. Crossed on the upper rim, without a result: a/a. "
-        "On the lower rim, below the axis: c/c and d/d."
+        "Dashed: slopes for comparison. Crossed on the upper edge, without a result: a/a. "
+        "On the lower edge, below the axis: c/c and d/d."
     )
     assert steps.alt.endswith("of 4 schemes, least c/c 5.00e-6, most d/d 0 to 2.00e-2")
     (cost,) = cost_figures(LADDERS, QUANTITY, Norm.MAX)
     assert cost.caption == (
-        "Filled, joined: timed alone on one core; grey: the front. Hollow: indicative. One solve, "
-        "without start-up. Crossed on the upper rim, without a result: a/a. On the lower rim, "
-        "below the axis: c/c and d/d. Not drawn, no cost measured at some setting: d/d."
+        "Filled, joined: timed alone on one core; grey: the Pareto front. Hollow: indicative. One "
+        "solve, without start-up. Crossed on the upper edge, without a result: a/a. On the "
+        "lower edge, below the axis: c/c and d/d. Not drawn, no cost measured at some setting: d/d."
     )
     assert "least c/c 5.00e-6 for 9.00e0 s, most d/d 2.00e-2 for 0 s" in cost.alt
     (cost,) = cost_figures(LADDERS[1:3], QUANTITY, Norm.MAX)
@@ -155,7 +155,7 @@ def test_captions_over_time_name_the_steps_that_are_not_the_usual_one() -> None:
     alike, _ = figures(over[:2], [], QUANTITY, Norm.MAX)
     assert alike.caption == "Finest setting, dt = 0.1 s; the grey line is the reference."
     exact, _ = figures(over[3:], [], QUANTITY, Norm.MAX)
-    assert exact.caption.startswith("No code here has a step")
+    assert exact.caption.startswith("No code here has a time step")
 
 
 def test_a_look_is_the_colour_of_a_code_the_dash_of_a_scheme_and_the_shape_of_both() -> None:

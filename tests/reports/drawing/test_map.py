@@ -68,7 +68,7 @@ def test_a_map_stands_instead_of_curves_and_names_the_best_stiffness_of_each_cod
     (figure,) = figures([], [*FULL, *two], QUANTITY, Norm.MAX)
     assert figure.svg.count("<rect") == 2 * 6 + 11  # two panels, and the scale
     assert "one 1e9 N/m and two 1e9 N/m" in figure.caption
-    assert "Crossed: no result" in figure.caption
+    assert "Cross: no result" in figure.caption
     assert "not supported" not in figure.caption
     assert "too many" not in figure.caption
     assert "one 2.00e-3 to 5.00e-2" in figure.alt
@@ -124,7 +124,7 @@ def test_steps_that_follow_the_stiffness_make_a_map_over_the_critical_step() -> 
     svg = draw_map(heat)
     assert ">dt / critical step<" in svg
     (figure,) = figures([], rows, QUANTITY, Norm.MAX, CRITICAL)
-    assert "off by as much as the answer. Dash: not supported." in figure.caption
+    assert "or an error of 100 % or more. Dash: not supported." in figure.caption
     assert "one 1e12 N/m" in figure.caption
 
 
@@ -138,7 +138,7 @@ def test_a_point_too_long_to_run_is_a_dot_and_neither_lost_nor_refused() -> None
     assert panel.too_long.tolist() == [[False] * 2, [False] * 2, [True, False]]
     assert not panel.lost().any()
     (figure,) = figures([], rows, QUANTITY, Norm.MAX, CRITICAL)
-    assert figure.caption.endswith(" Dot: not run, it would take too many steps.")
+    assert figure.caption.endswith(" Dot: not run, since it would need too many steps.")
     dots = draw_map(heat)
     bare = dataclasses.replace(panel, too_long=np.zeros((3, 2), bool))
     assert dots != draw_map(dataclasses.replace(heat, panels=(bare,)))

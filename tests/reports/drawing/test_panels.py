@@ -75,7 +75,7 @@ def test_a_cell_says_and_shows_what_came_of_it() -> None:
     assert [next(one.every("title")).text for one in groups] == [
         "kn 1e5, dt 1e-4: error 3.00e-4", "kn 1e5, dt 1e-3: error 2.00e-2",
         "kn 2e6, dt 1e-4: not supported", "kn 2e6, dt 1e-3: error 5.00e0",
-        "kn 1e8, dt 1e-4: error 0", "kn 1e8, dt 1e-3: not run, it would take too many steps",
+        "kn 1e8, dt 1e-4: error 0", "kn 1e8, dt 1e-3: not run, since it would need too many steps",
     ]  # fmt: skip
     signs = [
         [(path.named["class"], numbers(path.named["d"])) for path in one.every("path")]
