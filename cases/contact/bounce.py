@@ -163,7 +163,8 @@ def _pair_errors(p: Parameters, n: int, step: float) -> tuple[float, float]:
 
 def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
     rungs = tuple(Knobs(dt=coarsest / 2**i) for i in range(4))
-    return {Level.QUICK: rungs[:3:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    coarse = rungs[:3:2]  # the finest beside them shows 1 % of rho to methods of first order
+    return {Level.QUICK: coarse, Level.DEFAULT: (*coarse, rungs[3]), Level.PAPER: rungs}
 
 
 def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why = ()) -> Judge:
