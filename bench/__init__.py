@@ -1,1 +1,1 @@
-"""Benchmarks, in folders by what they show: each prints figures as JSON, exits 1 below its bar."""
+"""Benchmarks, in folders by topic: each prints figures as JSON, and exits with 1 below its bar."""

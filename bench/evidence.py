@@ -1,4 +1,4 @@
-"""Writes the figures of a benchmark, and ends it with 1 where one misses its bar."""
+"""Writes the figures of a benchmark, and exits with 1 if one misses its bar."""
 
 import json
 import os
@@ -9,7 +9,7 @@ from typing import Any
 
 
 def usual(**more: str) -> dict[str, str]:
-    """The environment of a command as users have it: Python keeps the bytecode it compiles."""
+    """The environment of a user's command, in which Python stores compiled bytecode."""
     kept = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     return {**kept, **more}
 

@@ -1,1 +1,1 @@
-"""Packs of many spheres, whose ways are chance: how laws scatter, and when codes part."""
+"""Random scenes and packs of many spheres: scatter of laws, and divergence of codes."""

@@ -1,10 +1,10 @@
-"""The step from which the ways of spheres differ between codes, so that they are no evidence.
+"""Finds the step from which trajectories of spheres differ between codes and prove nothing.
 
 `python -m bench.chance.divergence [SEED]` lets the spheres of the case packing fall in dem,
-LIGGGHTS and YADE, all as second order, looks at each of the first steps, and tells for each pair of
-codes the first at which a sphere is further apart than a part of its radius: rounding first, then
-all of it. What is compared of such scenes must be read before that, or be a law or a mean over many
-starts.
+LIGGGHTS and YADE, all with schemes of second order. For each pair of codes it prints the first step
+at which the positions of a sphere differ by more than a fraction of its radius, from rounding to
+the whole radius. Quantities of such scenes must be compared before that step, or be laws or means
+over many starts.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from vv.ask import Ask, History, Status
 from vv.codes import Adapter
 from vv.scene import Vector
 
-STEPS, EVERY = 12000, 20  # looked at, and how often
-SECOND_ORDER = "half-step-mass"  # of those that have it
-PARTS = (1e-9, 1e-6, 1e-3, 1.0)  # of the largest radius
+STEPS, EVERY = 12000, 20  # number of steps, and the interval between outputs
+SECOND_ORDER = "half-step-mass"  # the scheme of codes that have it
+PARTS = (1e-9, 1e-6, 1e-3, 1.0)  # fractions of the largest radius
 
 
 def places(code: Adapter, ask: Ask) -> Vector:
-    """Where spheres are at each output (k, n, 3) [m]."""
+    """The displacements of the spheres at each output (k, n, 3) [m]."""
     known = [scheme.name for scheme in code.schemes]
     scheme = SECOND_ORDER if SECOND_ORDER in known else known[0]
     with tempfile.TemporaryDirectory() as folder:
@@ -39,16 +39,16 @@ def places(code: Adapter, ask: Ask) -> Vector:
 
 
 def parted(one: Vector, other: Vector, far: float) -> int | None:
-    """The first output (k,) at which a sphere of two runs (k, n, 3) is further apart; None: never.
+    """The first output at which two runs (k, n, 3) differ by more than `far` [m]; None if none.
 
-    What is no number is apart.
+    Values that are not finite count as different.
     """
     apart = ~(np.linalg.norm(one - other, axis=2).max(axis=1) <= far)
     return int(apart.argmax()) if apart.any() else None
 
 
 def main(seed: str = "1") -> None:
-    """Find and tell."""
+    """Run the codes, compare each pair, and print the steps."""
     whole = asked(int(seed))
     goal = History(STEPS * whole.dt, EVERY * whole.dt)
     ask = Ask(whole.scene, goal, SEEN, whole.knobs)

@@ -1,9 +1,9 @@
-"""What packs of spheres are like on average, in each code: means over seeds with their doubt.
+"""Compares mean properties of packs of spheres between codes, over many random starts.
 
 `python -m bench.chance.ensembles [SEEDS]` lets frictionless spheres of the case packing settle from
-that many random starts in dem, LIGGGHTS and YADE. The mean of each quantity is told with its
-interval of 95 % confidence. Two codes must not differ by more than both intervals, and laws of rest
-must hold.
+that many random starts in dem, LIGGGHTS and YADE. The mean of each quantity is printed with its
+confidence interval of 95 %. Two codes must not differ by more than the sum of their intervals, and
+the laws of equilibrium must hold.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from vv.codes import Adapter
 from vv.scene import Scene, Vector
 
 CODES: tuple[Adapter, ...] = (dem.ADAPTER, liggghts.ADAPTER, yade.ADAPTER)
-SEEDS, EARLY = 12, 3  # starts; the output at which spheres still fall and bounce, 0.45 s
+SEEDS, EARLY = 12, 3  # starts; the output at 0.45 s, when spheres still fall and bounce
 P = packing.CASE.defaults("seed-1")
 QUANTITIES: Mapping[str, Callable[[Scene, Run], float]] = {
     "contacts for each sphere": packing.contacts,
@@ -49,13 +49,13 @@ LAWS = {
 
 
 def asked(seed: int) -> Ask:
-    """The question of one start."""
+    """The ask of one start."""
     trial = packing.CASE.declare(f"seed-{seed}", P)
     return trial.study.ask(trial.study.rungs[Level.DEFAULT][0])
 
 
 def drawn(code: Adapter, asks: list[Ask]) -> dict[str, Vector]:
-    """Each quantity of all starts (n,)."""
+    """The quantities of all starts (n,), by name."""
     with tempfile.TemporaryDirectory() as folder:
         runs = list(code.run(asks, "default", Path(folder), 0.0))
     assert all(run.status is Status.RAN for run in runs), [run.reason for run in runs]
@@ -66,7 +66,7 @@ def drawn(code: Adapter, asks: list[Ask]) -> dict[str, Vector]:
 
 
 def interval(draws: Vector) -> tuple[float, float]:
-    """The mean, and half of its interval of 95 % confidence, by Student's t."""
+    """The mean, and half of its confidence interval of 95 %, by Student's t."""
     from scipy.stats import t
 
     n = len(draws)
@@ -74,7 +74,7 @@ def interval(draws: Vector) -> tuple[float, float]:
 
 
 def main(seeds: str = str(SEEDS)) -> None:
-    """Measure and judge."""
+    """Measure, print the figures and judge them."""
     asks = [asked(seed) for seed in range(1, int(seeds) + 1)]
     found = {code.name: drawn(code, asks) for code in CODES if code.found().installed}
     told = {

@@ -1,12 +1,13 @@
-"""Cases at parameters drawn at random in every code: which are right, which refuse, which are red.
+"""Runs cases at random parameters in every code: some are right, some refuse, some are red.
 
-`python -m bench.chance.holdouts [NUMBER] [SEED] [SELECTION] [CODES]` draws NUMBER variants, each
-case as often as any other, gives all parameters of each a value of its own and runs it at level
-quick. What a case refuses is told and drawn anew, with at most so many TRIES. A draw is red if
-anything in it would turn the gate red; the command that runs it again stands beside it.
+`python -m bench.chance.holdouts [NUMBER] [SEED] [SELECTION] [CODES]` draws NUMBER variants, with
+every case equally often, gives their parameters random values and runs them at level quick.
+Parameters that a case refuses are reported and drawn again, at most TRIES times. A draw is red if
+any of its results would turn the gate red; the command that reruns it is printed with it.
 
-Half of the draws are near, each parameter times 0.6 to 1.4, and half are far, one to three
-parameters times 0.3 to 3: far in all of them, nearly all scenes are of no use or refused.
+In half of the draws all parameters are multiplied by 0.6 to 1.4, in the other half one to three
+parameters by 1/3 to 3. If all parameters varied that much, nearly all scenes would be useless or
+refused.
 """
 
 from __future__ import annotations
@@ -34,9 +35,9 @@ from vv.run.limits import Limits
 from vv.run.session import carry_out
 
 CODES = "exact,dem,dda,rigid,yade,liggghts"
-NEAR, FAR = 0.4, 3.0  # parameters lie within 1 -+ NEAR of their own, or a factor of FAR
+NEAR, FAR = 0.4, 3.0  # parameters are multiplied by 1 -+ NEAR, or by 1/FAR to FAR
 TRIES = 8
-WORKERS, TIMEOUT = 2, 300.0  # processes, and seconds that a job may take
+WORKERS, TIMEOUT = 2, 300.0  # processes, and the time limit of a job [s]
 NOT_TRIED = (Status.REFUSED, Status.NOT_INSTALLED, Status.TOO_LONG)
 
 
@@ -49,13 +50,13 @@ class Draw:
     settings: tuple[str, ...]
 
     def command(self, codes: str) -> str:
-        """What runs it again."""
+        """The command that reruns the draw."""
         sets = " ".join(f"--set {shlex.quote(one)}" for one in self.settings)
         return f"vv run {self.case}:{self.variant} {sets} --level quick --codes {codes}"
 
 
 def draw(case: Case, variant: str, chance: np.random.Generator) -> Draw:
-    """Values for a variant, to three digits; what is nil stays so."""
+    """Random values for a variant, to three digits; parameters that are zero stay zero."""
     usual = {name: value for name, value in case.defaults(variant).items() if value}
     names = list(usual)
     if chance.random() < 0.5:
@@ -70,7 +71,7 @@ def draw(case: Case, variant: str, chance: np.random.Generator) -> Draw:
 def variants(
     project: Project, selection: str, chance: np.random.Generator
 ) -> Iterator[tuple[Case, str]]:
-    """Variants without end: each case in turn, in an order that chance picks, as is the variant."""
+    """An endless sequence of variants: all cases in random order, each with a random variant."""
     names: dict[str, list[str]] = {}
     for case, name in select(project, [selection]):
         if case.parameters and case.variant(name).runs_at(Level.QUICK):
@@ -81,7 +82,7 @@ def variants(
 
 
 class Silent:
-    """Nobody is told of progress."""
+    """Shows no progress."""
 
     def begin(self, jobs: int) -> None:
         """Jobs begin."""
@@ -94,13 +95,13 @@ class Silent:
 
 
 def judged(project: Project, one: Draw, codes: str) -> tuple[str, list[str]]:
-    """What a draw came to, green, red or refused, and what there is to tell of it."""
+    """The result of a draw, green, red or refused, and its details in words."""
     options = Options(Level.QUICK, tuple(codes.split(",")), one.settings)
     try:
         plan = make_plan(project, [f"{one.case}:{one.variant}"], options)
     except UsageError as error:
         return "refused", [str(error)]
-    except Exception as error:  # a case that crashes is wrong, and the other draws go on
+    except Exception as error:  # a crash of a case is a failure, and the other draws go on
         return "red", [f"the case ends with {error!r}"]
     manifest = carry_out(project, plan, Limits(WORKERS, TIMEOUT), Silent(), ["holdouts"])
     if all(record.status in NOT_TRIED for record in manifest.records):
@@ -112,7 +113,7 @@ def judged(project: Project, one: Draw, codes: str) -> tuple[str, list[str]]:
 
 
 def main(number: str = "40", seed: str = "1", selection: str = "*", codes: str = CODES) -> None:
-    """Draw, run, tell of each draw, and count."""
+    """Draw, run, print each draw, and count the results."""
     project, chance = find(), np.random.default_rng(int(seed))
     count, reds = Counter[str](), []
     for case, variant in itertools.islice(variants(project, selection, chance), int(number)):

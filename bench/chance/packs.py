@@ -1,7 +1,7 @@
-"""Settled random packs of equal spheres in a box: made once and kept below .vv/, for benches.
+"""Creates settled random packs of equal spheres in a box, and stores them below .vv/.
 
 Centres are drawn at random, pushed apart by drag and soft springs, and settle under gravity with
-the friction of the bench. Spheres are numbered along the box, as codes that sort them would.
+the friction of the bench. Spheres are numbered along the box, as by codes that sort them.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
 RADIUS, MASS, FILLED, DT = 0.01, 0.01, 0.56, 2e-5
 LAW, SOFT = Contact(1e5, 2e4, 0.3), Contact(1e3)
-APART, SETTLED = (20.0, 1500), (0.5, 12000)  # drag [N s/m], and steps, of either stage
+APART, SETTLED = (20.0, 1500), (0.5, 12000)  # drag [N s/m] and number of steps of each stage
 KEPT = Path(".vv")
 DOWN = np.array([0.0, 0.0, -9.81])
 
 
 def settled(n: int) -> Scene:
-    """A pack of n spheres at rest but for their last tremor, with springs of friction empty."""
+    """A pack of n spheres that are nearly at rest, with shear springs of zero length."""
     path = KEPT / f"pack-{n}.npz"
     if not path.exists():
         path.parent.mkdir(exist_ok=True)
@@ -31,12 +31,12 @@ def settled(n: int) -> Scene:
 
 
 def width(n: int) -> float:
-    """The side of the box [m], which is as high as it is wide once it is full."""
+    """The side of the box [m], chosen so that the filled part is a cube."""
     return float((n * 4.0 / 3.0 * np.pi * RADIUS**3 / FILLED) ** (1.0 / 3.0))
 
 
 def packed(n: int) -> Vector:
-    """Where n spheres come to rest (n, 3) [m]."""
+    """The positions (n, 3) [m] at which n spheres come to rest."""
     side = width(n)
     x = np.random.default_rng(1).uniform(RADIUS, side - RADIUS, (n, 3))
     x = after(
@@ -60,7 +60,7 @@ def box(x: Vector, side: float) -> Scene:
 
 
 def after(scene: Scene, dt: float, steps: int) -> Vector:
-    """Where the spheres of a scene are after so many steps [m]."""
+    """The positions [m] of the spheres of a scene after a number of steps."""
     model, n = bulk(scene), len(scene.spheres)
     assert model is not None
     path, energy, watched = model.outputs(2, tuple(range(n)))

@@ -1,9 +1,9 @@
-"""Scenes at random in every scheme of the in-house codes: how they end, and which laws they break.
+"""Runs random scenes in every scheme of the in-house codes; counts crashes and broken laws.
 
-`python -m bench.chance.random_scenes [KIND] [NUMBER] [SEED]` draws so many scenes of spheres,
-blocks or slopes, as the tests of random scenes do with a few, and puts each to every scheme. No
-one may crash, and of the schemes that promise to keep to the laws none may break one. A depth of
-contact is left out: the scenes draw it, and no code.
+`python -m bench.chance.random_scenes [KIND] [NUMBER] [SEED]` draws NUMBER scenes of spheres, blocks
+or slopes, as the tests of random scenes do with a few, and runs each in every scheme. No scheme may
+crash, and schemes that promise to obey the conservation laws may not violate one. The penetration
+of contacts is not judged, since it is part of the random scene.
 """
 
 from __future__ import annotations
@@ -30,21 +30,21 @@ KINDS: dict[str, tuple[SearchStrategy[Scene], float, float]] = {
     "spheres": (any_spheres(), 0.05, 1e-4),
     "blocks": (any_blocks(), 0.2, 2.5e-3),
     "slopes": (slopes(), 0.4, 1e-3),
-}  # what is drawn, for how long it is asked [s], in steps of [s]
+}  # kind of scene -> function that draws it, duration [s], step [s]
 OURS: tuple[Adapter, ...] = (
     adapters.exact.ADAPTER, adapters.dem.ADAPTER, adapters.rigid.ADAPTER, adapters.dda.ADAPTER
 )  # fmt: skip
 KN = 1e8  # N/m
-BREAKS = {"dda/lagged"}  # its friction is one iteration late, and may act along the slip
+BREAKS = {"dda/lagged"}  # its friction lags by one iteration, and may act along the slip
 
 
 def problems(
     adapter: Adapter, scheme: str, scene: Scene, duration: float, dt: float
 ) -> Iterator[str]:
-    """How a scene ends in a scheme, and the laws that it breaks there."""
+    """The status of a scene in a scheme, and the laws that are violated."""
     try:
         run = answer(adapter, asked(scene, duration, dt, KN), scheme)
-    except Exception as error:  # what crashes is counted here, and the rest goes on
+    except Exception as error:  # a crash is counted, and the other scenes go on
         yield f"crashed: {error!r}"
         return
     yield run.status.value if run.status in ENDS else f"{run.status.value}: {run.reason}"
@@ -55,7 +55,7 @@ def problems(
 
 
 def main(kind: str = "blocks", number: str = "200", first: str = "1") -> None:
-    """Draw, ask, count and judge."""
+    """Draw scenes, run them, count the results and judge."""
     scenes, duration, dt = KINDS[kind]
     count: Counter[str] = Counter()
 

@@ -1,1 +1,1 @@
-"""What the gate, the tests and the cases see of mistakes that are put in on purpose."""
+"""Measures how many deliberate mistakes the gate, the tests and the cases detect."""

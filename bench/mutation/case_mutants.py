@@ -1,12 +1,12 @@
-"""Turns one operator or constant of the cases at a time, and counts what nothing of theirs sees.
+"""Mutates one operator or constant of the cases at a time, and counts undetected mutants.
 
-`python -m bench.mutation.case_mutants --sample N --seed K` draws from all places in cases/ alike. A
-mutant is put to what a wrong number in a case should meet: the page of the case in the gallery,
-which a test compares with what it declares; the tests that import its file; its quick gate with
-the codes that come with vv, against the accepted results; and the tests that name the case. Of a
-file that several cases share, those that name it are asked first, and not more than a few. What
-hangs is told by CPU time. Where something is red without a mutant the bench ends and judges
-nothing.
+`python -m bench.mutation.case_mutants --sample N --seed K` draws from all places in cases/ with
+equal probability. A mutant is checked by everything that should detect a wrong number in a case:
+the gallery page of the case, which a test compares with its declaration; the tests that import the
+file; the quick gate of the case with the codes that come with vv, against the accepted results; and
+the tests that name the case. For a file that several cases share only a few cases are checked,
+first those that name it. Hangs are detected by CPU time. If a check is red without a mutant, the
+bench ends without a judgement.
 """
 
 import argparse
@@ -37,15 +37,15 @@ from vv.case import Level
 from vv.plan.keys import roots
 from vv.plan.project import find
 
-ASKED = 5  # cases that are asked of a file that more of them share
+ASKED = 5  # the most cases that are checked for a shared file
 CODES = "exact,dem,dda,rigid"
 PAPERS = ("tests/case/test_published.py", "tests/insight/test_papers.py")
-SPENT = 120.0  # s of CPU time after which a process hangs, many times what it takes
+SPENT = 120.0  # s of CPU time, many times the usual, after which a process counts as hung
 GALLERY = ROOT / "docs" / "gallery"
 
 
 def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
-    """So many mutants, every place being as likely as any other."""
+    """A random sample of mutants, drawn from all places with equal probability."""
     paths = sorted((ROOT / "cases").rglob("*.py"))
     names = [path.relative_to(ROOT).as_posix() for path in paths]
     every = [one for name in names if fnmatch(name, files) for one in turnable(name)]
@@ -56,7 +56,7 @@ def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
 
 @functools.cache
 def cases_of(file: str) -> list[str]:
-    """The cases whose sources a file is part of: the one that it is, those that name it, others."""
+    """The cases that depend on a file: its own case, then those that name it, then others."""
     project = find(ROOT)
     own, places, here = project.case_files(), roots(project), ROOT / file
     found = [name for name, path in own.items() if here in import_closure([path], places)]
@@ -77,7 +77,7 @@ def tests_of(what: str) -> tuple[str, ...]:
 
 
 def changed_page(project: Path, case: str) -> bool:
-    """Whether the pages of a case are not those in the gallery, or cannot be made."""
+    """Whether the pages of a case differ from the gallery, or cannot be written."""
 
     def ask() -> None:
         os.chdir(project)
@@ -121,13 +121,13 @@ WAYS: dict[str, Callable[[Path, str], bool]] = {
 
 @functools.cache
 def require_sound(project: Path, way: str, case: str) -> None:
-    """End the bench where a way of asking is red with nothing turned: it would see any mutant."""
+    """End the bench if a check is red without a mutant, since it would detect any mutant."""
     if WAYS[way](project, case):
-        raise SystemExit(f"{way} of {case}: red without a mutant, so that nothing is judged by it")
+        raise SystemExit(f"{way} of {case}: red without a mutant, so that it can judge nothing")
 
 
 def questions(mutant: Mutant) -> Iterator[tuple[str, str]]:
-    """(way, case or file) in which a mutant is asked, the cheapest first."""
+    """The checks of a mutant as (way, case or file), the cheapest first."""
     cases = cases_of(mutant.file)[:ASKED]
     yield from (("page", case) for case in cases)
     yield "tests", mutant.file
@@ -137,12 +137,12 @@ def questions(mutant: Mutant) -> Iterator[tuple[str, str]]:
 
 @functools.cache
 def is_quick(case: str) -> bool:
-    """Whether the quick gate has anything of a case."""
+    """Whether a case has variants at level quick."""
     return any(one.runs_at(Level.QUICK) for one in find(ROOT).load_case(case).variants)
 
 
 def seen_by(project: Path, mutant: Mutant) -> str:
-    """What sees a mutant; '' if nothing does."""
+    """The check that detects a mutant; '' if none does."""
     place = project / mutant.file
     for way, case in questions(mutant):
         require_sound(project, way, case)
@@ -156,7 +156,7 @@ def seen_by(project: Path, mutant: Mutant) -> str:
 
 
 def told_of(chosen: Sequence[Mutant]) -> dict[Mutant, str]:
-    """What sees each mutant; '' for those that nothing sees."""
+    """Mutant -> the check that detects it; '' if none does."""
     told = {}
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder).resolve()
@@ -168,7 +168,7 @@ def told_of(chosen: Sequence[Mutant]) -> dict[Mutant, str]:
 
 
 def main() -> None:
-    """Draw, ask, count and judge."""
+    """Draw mutants, check them, count the survivors and judge."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--files", default="*", help="such as 'cases/hard/*'")
     parser.add_argument("--sample", type=int, default=100, help="mutants in all")

@@ -1,7 +1,7 @@
-"""Tests of a copy of the project, collected once; each question to them is put in a fork.
+"""Runs tests of a copy of the project: they are collected once, and run in forks.
 
-A fork begins with every module loaded and every cache as collection left it. A mutant of what runs
-when a function is called is put into the loaded functions, so that nothing is imported anew.
+A fork starts with all modules loaded and all caches as collection left them. A mutant inside a
+function replaces the code of the loaded function, so that nothing is imported again.
 """
 
 import functools
@@ -19,11 +19,11 @@ import pytest
 from bench.mutation.forked_tests import LIMIT, OWN, REWRITTEN
 from bench.mutation.framework_sites import Mutant
 
-SLOW = 20.0  # times its CPU time that a busy machine may take for something
+SLOW = 20.0  # a process may take this many times its CPU time on a busy machine
 
 
 class Collected:
-    """A plug-in of pytest that does something else with the tests than to run them."""
+    """A plug-in of pytest that hands the collected tests to a function."""
 
     def __init__(self, project: Path, work: Callable[["Collected"], None]) -> None:
         self.project, self._work = project, work
@@ -32,26 +32,26 @@ class Collected:
         self._functions: dict[str, list[FunctionType]] = {}
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
-        """Stand in for the run of all tests."""
+        """Call the function instead of running all tests."""
         self.tests = {item.nodeid: item for item in session.items}
         for one in gc.get_objects():
-            if type(one) is FunctionType:  # a dead proxy raises where its class is asked for
+            if type(one) is FunctionType:  # isinstance would raise for a dead proxy
                 self._functions.setdefault(one.__code__.co_filename, []).append(one)
-        gc.freeze()  # so that forks share what is there
+        gc.freeze()  # so that forks share the memory of these objects
         self._work(self)
         return True
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        """Note what is red."""
+        """Record the tests that fail."""
         if report.failed:
             self.red.append(report.nodeid)
 
     def run(
         self, names: Sequence[str], limits: Mapping[str, float] = MappingProxyType({})
     ) -> Iterator[tuple[str, bool]]:
-        """Run tests here, in turn: name, and whether it is green.
+        """Run tests in this process; yield the name of each, and whether it passes.
 
-        limits: the CPU time [s] after which one of them ends this process.
+        limits: the CPU time [s] of a test after which this process is ended.
         """
         for name, after in zip(names, [*names[1:], None], strict=True):
             if name in limits:
@@ -61,14 +61,14 @@ class Collected:
             yield name, name not in self.red
 
     def red_of(self, limits: Mapping[str, float], mutant: Mutant | None) -> str | None:
-        """The first test that is not green with a mutant, asked in a fork, or what it says else."""
+        """The first test that fails with a mutant in a fork, or how the fork ended; else None."""
         change = functools.partial(self._put_in, mutant) if mutant is not None else _nothing
         return self.red_with(limits, change)
 
     def red_with(self, limits: Mapping[str, float], change: Callable[[], None]) -> str | None:
-        """The first test that is not green after a change, made in a fork, or what it says else.
+        """The first test that fails after a change in a fork, or how the fork ended; else None.
 
-        limits: the tests, and the CPU time [s] after which each hangs.
+        limits: the tests, and the CPU time [s] after which each counts as hung.
         """
         reading, writing = os.pipe()
 
@@ -85,7 +85,7 @@ class Collected:
             return told.read().decode() or (f"ends with {status}" if status else None)
 
     def _put_in(self, mutant: Mutant) -> None:
-        """Let every loaded function of a file have the code that it has with a mutant."""
+        """Replace the code of all loaded functions of a file by that of the mutant."""
         path = str(self.project / mutant.file)
         made = {_place(code): code for code in _codes(compile(mutant.tree(), path, "exec"))}
         for function in self._functions.get(path, ()):
@@ -94,7 +94,7 @@ class Collected:
 
 
 def fitting(ordered: Iterable[str], seconds: Mapping[str, float], longest: float) -> list[str]:
-    """The first of these tests, and of those after them, that together take no longer."""
+    """The tests, taken in order, that together fit into a time; longer ones are skipped."""
     left, chosen = longest, list[str]()
     for one in ordered:
         if seconds[one] <= left:
@@ -108,7 +108,7 @@ def _nothing() -> None:
 
 
 def collected(project: Path, tests: Iterable[str], work: Callable[[Collected], None]) -> None:
-    """Let pytest collect the tests of a copy, in a fork, and do something with them."""
+    """Let pytest collect the tests of a copy in a fork, and call `work` with them there."""
 
     def start() -> None:
         os.chdir(project)
@@ -128,12 +128,12 @@ def collected(project: Path, tests: Iterable[str], work: Callable[[Collected], N
 
 
 def forked(work: Callable[[], None], seconds: float) -> int:
-    """Do something in a silent fork that has so much CPU time, then end whatever it started."""
+    """Call `work` in a silent fork with a limit of CPU time; its children are ended afterwards."""
     sys.stdout.flush()
     child = os.fork()
     if child == 0:
         os.setsid()
-        signal.alarm(max(LIMIT, int(SLOW * seconds)))  # for what waits and spends nothing
+        signal.alarm(max(LIMIT, int(SLOW * seconds)))  # for processes that wait and use no CPU time
         signal.setitimer(signal.ITIMER_PROF, seconds)
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         os.dup2(1, 2)
@@ -141,7 +141,7 @@ def forked(work: Callable[[], None], seconds: float) -> int:
     status = os.waitpid(child, 0)[1]
     try:
         os.killpg(child, signal.SIGKILL)
-    except ProcessLookupError:  # it left nothing behind
+    except ProcessLookupError:  # it has no processes left
         time.sleep(0)
     return status
 

@@ -1,6 +1,6 @@
-"""Which tests run which lines, in this process or in those they start; recorded once a file.
+"""Records which tests run which lines, in this process or in those that they start.
 
-A record of a file of tests holds until the file changes, or one of the sources that it runs.
+A record of a file of tests is valid until the file, or a source that it runs, changes.
 """
 
 import hashlib
@@ -29,11 +29,11 @@ omit = */vv/engines/*
 HOOK = "import coverage\ncoverage.process_startup()\n"
 SOURCES = ("vv", "adapters", "reports", "reference_solutions")
 KEPT = ROOT / ".vv" / "mutants" / "covering"
-LONGEST = 300.0  # s of CPU time in a process that a file of tests may take
+LONGEST = 300.0  # the limit of CPU time [s] for a file of tests
 
 
 class Record(NamedTuple):
-    """What is known of a file of tests: seconds of each that is green, lines, what it hangs on."""
+    """The record of a file of tests: seconds of each passing test, lines, digests of sources."""
 
     seconds: dict[str, float]
     lines: dict[str, dict[str, list[str]]]  # file -> line -> tests
@@ -41,18 +41,18 @@ class Record(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether it and all that it ran is what it was."""
+        """Whether the file and all sources that it ran are unchanged."""
         return all(digest(file) == then for file, then in self.digests.items())
 
 
 def digest(file: str, root: Path = ROOT) -> str:
-    """Digest of a file of the project, or of a copy of it; '' if it is not there."""
+    """The digest of a file of the project, or of a copy of it; '' if it does not exist."""
     path = root / file
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16] if path.is_file() else ""
 
 
 def records(collected: Collected) -> Iterator[Record]:
-    """Of every file of tests that was collected, recorded now or before."""
+    """The records of all collected files of tests, made now or earlier."""
     files: dict[str, list[str]] = {}
     for name in collected.tests:
         files.setdefault(name.partition("::")[0], []).append(name)
@@ -70,7 +70,7 @@ def records(collected: Collected) -> Iterator[Record]:
 
 
 def _record(collected: Collected, file: str, names: Sequence[str], place: Path) -> None:
-    """Write the record of a file of tests; of one that hangs or crashes, an empty one."""
+    """Write the record of a file of tests; it is empty for one that hangs or crashes."""
     write_whole(
         place,
         json.dumps(Record({}, {}, {file: digest(file, collected.project)})._asdict()).encode(),
@@ -88,7 +88,7 @@ def _traced(
     os.environ["COVERAGE_PROCESS_START"] = str(folder / "settings")
     os.environ["PYTHONPATH"] += os.pathsep + str(folder)
     coverage = Coverage(data_file=None, config_file=False, source=sources, omit=["*/vv/engines/*"])
-    coverage.set_option("run:disable_warnings", ["no-data-collected"])  # by processes alone
+    coverage.set_option("run:disable_warnings", ["no-data-collected"])  # children may run all
     coverage.start()
     seconds = dict(_timed(collected, names, coverage))
     coverage.stop()
@@ -106,7 +106,7 @@ def _traced(
 def _timed(
     collected: Collected, names: Sequence[str], coverage: Coverage
 ) -> Iterator[tuple[str, float]]:
-    """The tests that are green, and the CPU time of each [s], that of its processes too."""
+    """The passing tests with their CPU time [s], child processes included."""
     for name in names:
         coverage.switch_context(name)
         before = sum(os.times()[:4])
@@ -127,7 +127,7 @@ def _gather(
 
 
 def told_of(every: Iterable[Record]) -> tuple[dict[str, float], dict[str, Any]]:
-    """Seconds of each test, and file -> line -> tests, of all records together."""
+    """All records merged: seconds of each test, and file -> line -> tests."""
     seconds: dict[str, float] = {}
     lines: dict[str, dict[int, list[str]]] = {}
     for one in every:

@@ -1,9 +1,9 @@
-"""Puts a copy that holds mutants of the engines to the quick gate of a code.
+"""Runs the quick gate of a code on a copy that contains mutants of the engines.
 
-Choices between mutants keep the compiler from joining products and sums to one instruction, so that
-the last bits of a copy are not those of the project. Where impacts make that grow, results move
-from what was accepted with no mutant on. Those that do say nothing of a mutant and are passed over;
-that a result is wrong, or a law broken, without a mutant ends the bench.
+Branches between mutants keep the compiler from fusing products and sums, so that the last bits of
+results differ from those of the project. Where impacts amplify this, results leave their accepted
+bands even without a mutant. Such results are ignored; if a result is wrong or a law violated
+without a mutant, the bench ends.
 """
 
 import functools
@@ -18,41 +18,44 @@ from pathlib import Path
 
 from bench.mutation.switch import NUMBER
 
-SPENT = 200.0  # s of CPU time after which a process of the gate hangs, many times what it takes
+SPENT = 200.0  # s of CPU time, many times the usual, after which a gate counts as hung
 HANGS = "ends without a verdict"
-MOVED = {"regression: moved", "regression: worse"}  # kinds of what differs from what was accepted
+MOVED = {
+    "regression: moved",
+    "regression: worse",
+}  # kinds of changes since results were accepted
 
-Red = tuple[str, str, str]  # case, what was judged of it, kind of finding
+Red = tuple[str, str, str]  # case, judged quantity, kind of finding
 
 
 def seeing(project: Path, codes: Iterable[str], number: int) -> str:
-    """The code whose quick gate sees a mutant; '' if there is none."""
+    """The code whose quick gate detects a mutant; '' if none does."""
     found = (f"gate of {code}" for code in codes if new_reds(project, code, number))
     return next(found, "")
 
 
 def new_reds(project: Path, code: str, number: int) -> set[Red]:
-    """What is red at the gate of a code with a mutant, and is not without."""
+    """The red findings at the gate of a code that appear only with a mutant."""
     return reds(project, code, number) - without_mutant(project, code)
 
 
 @functools.cache
 def without_mutant(project: Path, code: str) -> set[Red]:
-    """What moved at the gate with no mutant on; ends the bench if anything is wrong there."""
+    """The results that move without a mutant; ends the bench if any of them is wrong."""
     found = reds(project, code, 0)
     require_green([" ".join(red) for red in found if red[2] not in MOVED])
-    print(f"gate of {code}: {len(found)} results moved by choices alone are passed over")
+    print(f"gate of {code}: {len(found)} results that moved without a mutant are ignored")
     return found
 
 
 def require_green(red: Iterable[str]) -> None:
-    """End the bench where something is red with no mutant on: it would see any mutant."""
+    """End the bench if something is red without a mutant, since it would detect any mutant."""
     if named := ", ".join(red):
-        raise SystemExit(f"red without a mutant, so that nothing is judged: {named}")
+        raise SystemExit(f"red without a mutant, so that nothing can be judged: {named}")
 
 
 def reds(project: Path, code: str, number: int) -> set[Red]:
-    """All that is red at the quick gate of a code, with an empty store."""
+    """All red findings at the quick gate of a code, with an empty store."""
     words = ["gate", "--codes", code, "--require", code, "--jobs", "1", "--timeout", "36000"]
     with tempfile.TemporaryDirectory() as data:
         junit = Path(data) / "gate.xml"
@@ -65,7 +68,7 @@ def reds(project: Path, code: str, number: int) -> set[Red]:
 
 
 def told(junit: str) -> set[Red]:
-    """What the gate's JUnit file calls a failure or an error."""
+    """The failures and errors in the JUnit file of the gate."""
     return {
         (test.get("classname", ""), test.get("name", ""), one.get("type", ""))
         for test in Xml.fromstring(junit).iter("testcase")

@@ -1,12 +1,12 @@
-"""Turns one operator of the engines at a time, and counts what their tests and the gate miss.
+"""Mutates one operator of the engines at a time; counts mutants that tests and gate miss.
 
 `python -m bench.mutation.engine_mutants --sample N --seed K` draws from all places in the engines
-alike, compiled or not; `--files 'vv/engines/dem/*'` from some. A copy holds all that were drawn;
-its tests are collected once, and each mutant is switched on in a fork of that process, so that
-kernels are compiled once. What hangs is told by CPU time, which a busy machine does not change.
-What the tests of the engines do not see is put to the quick gate of the codes it is part of. Where
-a gate is wrong with no mutant on, or more tests than choices between mutants may turn by rounding,
-the bench ends and judges nothing.
+with equal probability, compiled or not; `--files 'vv/engines/dem/*'` from some. A copy contains all
+drawn mutants; its tests are collected once, and each mutant is switched on in a fork of that
+process, so that kernels are compiled once. Hangs are detected by CPU time, which does not depend on
+the load of the machine. Mutants that the tests of the engines do not detect are run in the quick
+gates of the codes that contain them. If a gate is red without a mutant, or more tests fail than
+rounding by the branches explains, the bench ends without a judgement.
 """
 
 import argparse
@@ -38,16 +38,16 @@ from vv.plan.project import find
 
 CODES = ("exact", "dem", "dda", "rigid")
 TESTS = ("tests/engines",)
-LONGEST = 60.0  # s of CPU time that the tests may take which one mutant is put to
-SPARE, HANGING = 10.0, 3.0  # s and times of what a test takes without a mutant: it hangs
-AMISS = 0.05  # of the tests, that may count sweeps or steps which rounding changes
+LONGEST = 60.0  # s of CPU time for the tests of one mutant
+SPARE, HANGING = 10.0, 3.0  # a test hangs after HANGING times its usual CPU time and SPARE s
+AMISS = 0.05  # fraction of tests that may fail: some count sweeps or steps, which rounding changes
 COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compiled
 
 
 def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
-    """So many mutants that a process can switch on, every place being as likely as any other.
+    """A random sample of switchable mutants, drawn from all places with equal probability.
 
-    Those that `equivalent.txt` names are not drawn.
+    Mutants that `equivalent.txt` names are not drawn.
     """
     paths = sorted((ROOT / "vv" / "engines").rglob("*.py"))
     names = (path.relative_to(ROOT).as_posix() for path in paths)
@@ -63,34 +63,34 @@ def _key(mutant: Mutant) -> str:
 
 
 class Asked:
-    """Puts mutants to collected tests: those of the mutant's engine first, then the quickest."""
+    """Runs collected tests on mutants: those of the mutant's engine first, then the fastest."""
 
     def __init__(self, collected: Collected, seconds: dict[str, float], longest: float) -> None:
         self.collected, self.seconds, self.longest = collected, seconds, longest
 
     def tests(self, mutant: Mutant) -> list[str]:
-        """As many as fit in the time."""
+        """The tests for a mutant: as many as fit into the time."""
         own = f"tests/engines/{Path(mutant.file).parts[2]}/"
         ordered = sorted(self.seconds, key=lambda one: (not one.startswith(own), self.seconds[one]))
         return fitting(ordered, self.seconds, self.longest)
 
     def red_of(self, mutant: Mutant, number: int) -> str | None:
-        """The test that sees it, if any."""
+        """The test that detects a mutant; None if none does."""
         limits = {one: SPARE + HANGING * self.seconds[one] for one in self.tests(mutant)}
         return self.collected.red_with(limits, functools.partial(switch_on, number))
 
 
 def switch_on(number: int) -> None:
-    """Switch a mutant on in this process and those it starts."""
+    """Switch a mutant on, in this process and in those that it starts."""
     os.environ[NUMBER] = str(number)
     importlib.import_module("vv.switch").ON = number  # type: ignore[attr-defined]
     importlib.import_module("vv.switch_compiled").WORD.value = number
 
 
 def green(collected: Collected, kept: Path) -> dict[str, float]:
-    """CPU seconds of each test that is green with no mutant on, with kernels compiled before.
+    """CPU seconds of each test that passes without a mutant, with kernels compiled before.
 
-    Those that do not end within the time for all are not there.
+    Tests that did not finish within the total time are missing.
     """
 
     def timed() -> None:
@@ -99,7 +99,7 @@ def green(collected: Collected, kept: Path) -> dict[str, float]:
             now = sum(os.times()[:4])
             seconds[name] = now - before if fine else float("inf")
             before = now
-            kept.write_text(json.dumps(seconds))  # also of a run that was cut
+            kept.write_text(json.dumps(seconds))  # also in a run that was cut off
 
     for _ in ("compiles", "is timed"):
         forked(timed, COMPILING)
@@ -108,7 +108,7 @@ def green(collected: Collected, kept: Path) -> dict[str, float]:
 
 
 def those_green(seconds: dict[str, float]) -> dict[str, float]:
-    """The tests without those that took for ever, which are red; ends the bench if many are."""
+    """The tests that pass without a mutant; ends the bench if too many fail."""
     red = [name for name, spent in seconds.items() if spent == float("inf")]
     engine_gate.require_green(red if len(red) > AMISS * len(seconds) else [])
     print(f"red without a mutant and left out: {', '.join(red) or 'none'}", flush=True)
@@ -118,7 +118,7 @@ def those_green(seconds: dict[str, float]) -> dict[str, float]:
 def by_tests(
     project: Path, tests: Iterable[str], numbers: dict[Mutant, int], longest: float
 ) -> dict[str, str]:
-    """What sees each mutant -> the test; '' for those that no test sees."""
+    """Mutant -> the test that detects it; '' if none does."""
     kept = project / "told.json"
 
     def put(collected: Collected) -> None:
@@ -137,7 +137,7 @@ def by_tests(
 
 
 def codes_of(mutant: Mutant) -> Iterator[str]:
-    """The codes whose adapters import the file of a mutant."""
+    """The codes whose adapters import the file of a mutant, by name."""
     project = find(ROOT)
     for code in CODES:
         if ROOT / mutant.file in import_closure(project.adapter_files(code), roots(project)):
@@ -145,7 +145,7 @@ def codes_of(mutant: Mutant) -> Iterator[str]:
 
 
 def told_of(chosen: Sequence[Mutant], tests: Iterable[str], longest: float) -> dict[str, str]:
-    """What sees each mutant."""
+    """Mutant -> the test or gate that detects it."""
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
         numbers = build(project, chosen)
@@ -160,7 +160,7 @@ def told_of(chosen: Sequence[Mutant], tests: Iterable[str], longest: float) -> d
 
 
 def main() -> None:
-    """Draw, ask, count and judge."""
+    """Draw mutants, test them, count the survivors and judge."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--files", default="*", help="such as 'vv/engines/dem/*'")
     parser.add_argument("--sample", type=int, default=60, help="mutants in all")

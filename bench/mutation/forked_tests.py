@@ -1,4 +1,4 @@
-"""Asks pytest about a copy of the project, in processes forked from one with the libraries."""
+"""Runs pytest on a copy of the project, in forks of a process that has loaded the libraries."""
 
 from __future__ import annotations
 
@@ -15,24 +15,31 @@ import pytest
 
 from bench.mutation.mutants import ROOT
 
-PROCESSES = {"tiny", "copy", "accepted", "first", "project", "kept"}  # fixtures that start some
+PROCESSES = {
+    "tiny",
+    "copy",
+    "accepted",
+    "first",
+    "project",
+    "kept",
+}  # fixtures with processes
 REWRITTEN = "ignore:Module already imported:pytest.PytestAssertRewriteWarning"
-LIMIT = 600  # s after which what is asked counts as red: it hangs
-SPENT = 240.0  # s of CPU time after which it does, too
+LIMIT = 600  # s after which a run counts as hung, and therefore as red
+SPENT = 240.0  # s of CPU time after which it does so too
 READ = ("tests", "docs", "examples", ".ci")
 BESIDE = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "Makefile", "requirements.lock")
-LATER = itertools.count(int(time.time()))  # a second of its own for each file that is rewritten
+LATER = itertools.count(int(time.time()))  # each rewritten file gets a modification time of its own
 OWN = ("vv", "tests", "bench", "reports", "cases", "adapters", "reference_solutions")
 
 
 class _Selected:
-    """A plug-in of pytest: only the tests that start no process, or only those that do."""
+    """A plug-in of pytest that selects the tests that start no processes, or those that do."""
 
     def __init__(self, processes: bool) -> None:
         self.processes = processes
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
-        """Keep one of both kinds."""
+        """Keep the tests of one kind."""
         items[:] = [i for i in items if self.processes == bool(_fixtures(i) & PROCESSES)]
 
 
@@ -41,9 +48,9 @@ def _fixtures(item: pytest.Item) -> set[str]:
 
 
 def passes(project: Path, *tests: str, processes: bool | None = None) -> bool:
-    """Whether pytest is content with folders, files or single tests, asked in a process of its own.
+    """Whether all tests in folders, files or of given names pass; they run in their own process.
 
-    processes: whether only tests that start some are asked, or only the others; None: all.
+    processes: True for tests that start processes, False for the others, None for all.
     """
     child = os.fork()
     if child == 0:
@@ -56,14 +63,14 @@ def passes(project: Path, *tests: str, processes: bool | None = None) -> bool:
 
 @functools.cache
 def green(project: Path, tests: str, processes: bool) -> bool:
-    """Whether tests pass in a copy in which nothing is changed."""
+    """Whether tests pass in an unchanged copy."""
     return passes(project, tests, processes=processes)
 
 
 def _tested(project: Path, tests: Sequence[str], processes: bool | None) -> int:
     signal.alarm(LIMIT)
     signal.setitimer(signal.ITIMER_PROF, SPENT)
-    sys.dont_write_bytecode = False  # the next process reads it
+    sys.dont_write_bytecode = False  # so that the next process reads it
     os.chdir(project)
     os.environ["PYTHONPATH"] = str(project)
     sys.path.insert(0, str(project))
@@ -79,7 +86,7 @@ def _tested(project: Path, tests: Sequence[str], processes: bool | None) -> int:
 
 @functools.cache
 def with_tests() -> dict[str, bytes]:
-    """What a copy of the project needs besides: the tests, and what they read."""
+    """The additional files that a copy of the project needs: the tests, and what they read."""
     found = [path for folder in READ for path in (ROOT / folder).rglob("*")]
     found += [ROOT / name for name in BESIDE]
     wanted = [p for p in found if p.is_file() and p.suffix not in (".pyc", ".svg")]
@@ -87,7 +94,7 @@ def with_tests() -> dict[str, bytes]:
 
 
 def rewrite(path: Path, text: str) -> None:
-    """Replace a source so that Python sees it: bytecode is known by whole seconds and size."""
+    """Replace a source so that Python notices: bytecode is identified by whole seconds and size."""
     path.write_text(text)
     then = next(LATER)
     os.utime(path, (then, then))

@@ -1,14 +1,15 @@
-"""Turns one operator of the framework at a time, and counts what its own tests do not see.
+"""Mutates one operator of the framework at a time; counts mutants that its tests miss.
 
-`python -m bench.mutation.framework_mutants` takes every place that can be turned outside the
-engines; `--files 'vv/gate/*'` some, `--each N` at most N a file, `--sample N` so many of all, the
-same number in every layer as far as it goes, fixed random choices; with `--seed K` they are drawn
-from all places alike, so that what survives of them is an estimate for the whole, with its
-confidence. `--part references` turns the reference solutions, and asks the tests of references. A
-mutant is put to the tests that run its line, those of its own folder first, then the
-quickest, until one is red that is green without it; then to the others of their files. What is
-turned where a file is imported, or no test runs, is put to tests that run anything of the file.
-`equivalent.txt` names mutants that behave as the original does, which do not count.
+`python -m bench.mutation.framework_mutants` takes every place outside the engines that can be
+mutated; `--files 'vv/gate/*'` selects files, `--each N` takes at most N per file, `--sample N`
+takes N in all, if possible the same number in every layer, by a fixed random choice. With `--seed
+K` they are drawn from all places with equal probability, so that the surviving share estimates that
+of all mutants, with a confidence interval. `--part references` mutates the reference solutions, and
+runs the tests of references. For a mutant the tests that run its line are run, those of its own
+folder first, then the fastest, until one fails that passes without it; then the other tests of
+their files. For a mutant in code that runs at import, or that no test runs, the tests that run any
+line of the file are run. `equivalent.txt` names mutants that behave like the original; they do not
+count.
 """
 
 import argparse
@@ -33,12 +34,12 @@ from bench.mutation.schemata import copied
 
 APART = {"engines", "references", "cases", "bench", "support", "scenes", "__pycache__"}
 NEEDS = ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib")
-LONGEST = 120.0  # s that the tests may take which one mutant is put to, without it
-SPARE, HANGING = 30.0, 5.0  # s and times of what a test takes without a mutant: it hangs
+LONGEST = 120.0  # s for the tests of one mutant, as timed without it
+SPARE, HANGING = 30.0, 5.0  # a test hangs after HANGING times its usual CPU time and SPARE s
 
 
 class Asked:
-    """Puts mutants to the tests that were recorded as running them."""
+    """Runs the recorded tests of the lines of mutants."""
 
     def __init__(
         self, project: Path, seconds: dict[str, float], lines: dict[str, Any], longest: float
@@ -48,7 +49,7 @@ class Asked:
         self._green: dict[str, bool] = {}
 
     def when_called(self, mutant: Mutant) -> bool:
-        """Whether tests run it, in a function that is not called when its file is imported only."""
+        """Whether tests run a mutant inside a function that is not only called at import."""
         return mutant.when_called and bool(self._running(mutant))
 
     def _running(self, mutant: Mutant) -> set[str]:
@@ -56,7 +57,7 @@ class Asked:
         return {one for line in mutant.lines for one in here.get(line, ())}
 
     def tests(self, mutant: Mutant) -> list[str]:
-        """Those that run its statement, then the others of their files; or any of its file."""
+        """The tests that run its statement, then others of their files; or all for its file."""
         here, running = self.lines.get(mutant.file, {}), self._running(mutant)
         if not self.when_called(mutant):
             return self._first(mutant, {one for tests in here.values() for one in tests})
@@ -65,13 +66,13 @@ class Asked:
         return self._first(mutant, running) + self._first(mutant, beside - running)
 
     def _first(self, mutant: Mutant, tests: Iterable[str]) -> list[str]:
-        """As many as fit in the time: those of its own folder first, then the quickest."""
+        """As many tests as fit into the time: those of its own folder first, then the fastest."""
         own = f"tests/{Path(mutant.file.removeprefix('vv/')).parts[0]}/"
         ordered = sorted(tests, key=lambda one: (not one.startswith(own), self.seconds[one], one))
         return fitting(ordered, self.seconds, self.longest)
 
     def red_of(self, collected: Collected, mutant: Mutant) -> str | None:
-        """The test that sees a mutant in loaded functions, if any."""
+        """The test that detects a mutant in loaded functions; None if none does."""
         tests = self.tests(mutant)
         place = self.project / mutant.file
         try:
@@ -90,13 +91,13 @@ class Asked:
             rewrite(place, (ROOT / mutant.file).read_text())
 
     def green(self, collected: Collected, test: str) -> bool:
-        """Whether a test is green without a mutant, now too."""
+        """Whether a test still passes without a mutant."""
         if test not in self._green:
             self._green[test] = collected.red_of(self._limits([test]), None) is None
         return self._green[test]
 
     def red_on_import(self, mutant: Mutant) -> str | None:
-        """Whether tests that import a mutant anew see it."""
+        """Whether tests that import the mutated file again detect the mutant."""
         place = self.project / mutant.file
         try:
             rewrite(place, mutant.text())
@@ -112,7 +113,7 @@ class Asked:
 def seen(
     mutants: Sequence[Mutant], project: Path, tests: Sequence[str], longest: float
 ) -> dict[Mutant, str]:
-    """What sees each mutant; '' for those that nothing sees."""
+    """Mutant -> the test that detects it; '' if none does."""
     told: dict[Mutant, str] = {}
     map_of_tests = project / "told.json"
 
@@ -140,7 +141,7 @@ def _said(mutant: Mutant, by: str | None) -> str:
 
 
 def folders(part: str) -> list[str]:
-    """Where the tests lie that are asked: the framework's own, or those of another part."""
+    """The folders of the tests to run: those of the framework, or of another part."""
     if part != "framework":
         return [f"tests/{part}"]
     paths = sorted(path for path in (ROOT / "tests").iterdir() if path.is_dir())
@@ -148,13 +149,13 @@ def folders(part: str) -> list[str]:
 
 
 def survival(left: int, of: int) -> dict[str, Any]:
-    """A rate and its confidence interval."""
+    """The share of surviving mutants, with its confidence interval."""
     low, high = binomtest(left, of).proportion_ci(method="wilson")
     return {"mutants": of, "rate": left / of, "at 95 %": [low, high]}
 
 
 def main() -> None:
-    """Turn, ask, count and judge."""
+    """Mutate, test, count the survivors and judge."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--part", default="framework", choices=PARTS, help="what is turned")
     parser.add_argument("--files", default="*", help="such as 'vv/gate/*'")

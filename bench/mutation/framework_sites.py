@@ -1,4 +1,4 @@
-"""What can be turned outside the engines: one operator, constant or call of a file at a time."""
+"""Finds the mutants outside the engines: one operator, constant or call of a file each."""
 
 import ast
 import copy
@@ -18,7 +18,7 @@ LAYERS = (
     "adapters", "reports",
 )  # fmt: skip
 PARTS = {"framework": LAYERS, "references": ("reference_solutions",)}
-EVERY = 10**6  # more than there are
+EVERY = 10**6  # more than there are files
 SWAPS: dict[type, type] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
     ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt,
@@ -31,56 +31,56 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 
 
 class Mutant(NamedTuple):
-    """A node of a file, by its place in ast.walk."""
+    """A mutant: a node of a file, by its index in ast.walk."""
 
     file: str
     place: int
 
     @property
     def what(self) -> str:
-        """Where it is, and what it is."""
+        """The place and the change, in words."""
         return f"{self.file}:{self.node.lineno} {self.change}"
 
     @property
     def key(self) -> str:
-        """What it is, by names instead of lines, which other changes move."""
+        """A key made of names instead of line numbers, which other changes would move."""
         return named(self.file, self.node, _turned(self.node))
 
     @property
     def change(self) -> str:
-        """What is there, and what becomes of it."""
+        """The original and the mutated expression."""
         return _change(self.node, _turned(self.node))
 
     @property
     def node(self) -> ast.expr:
-        """What is turned."""
+        """The node that is mutated."""
         return _sites(self.file)[self.place]
 
     @property
     def lines(self) -> range:
-        """All lines of the statement that it is part of, without the statements inside that."""
+        """The lines of its statement, without those of nested statements."""
         first, last = _statement(self.file, self.node)
         return range(first, last + 1)
 
     @property
     def when_called(self) -> bool:
-        """Whether it runs when a function is called, and not when the file is imported."""
+        """Whether it runs when a function is called, and not at import."""
         return any(self.node in body for body in _bodies(self.file))
 
     def tree(self) -> ast.Module:
-        """The file with this node turned, every line where it was."""
+        """The syntax tree of the mutated file, with unchanged line numbers."""
         tree = copy.deepcopy(parsed(self.file))
         node = list(ast.walk(tree))[self.place]
         vars(node).update(vars(_turned(node)))
         return ast.fix_missing_locations(tree)
 
     def text(self) -> str:
-        """The file with this node turned."""
+        """The text of the mutated file."""
         return ast.unparse(self.tree())
 
 
 def mutants(layer: str, files: str, each: int) -> Iterator[Mutant]:
-    """At most so many of every file of a layer that the pattern names, none known as equivalent."""
+    """The mutants of matching files, at most `each` per file, without equivalent ones."""
     for path in sorted((ROOT / layer).rglob("*.py")):
         file = path.relative_to(ROOT).as_posix()
         if fnmatch(file, files):
@@ -89,12 +89,12 @@ def mutants(layer: str, files: str, each: int) -> Iterator[Mutant]:
 
 
 def turnable(file: str) -> list[Mutant]:
-    """All that can be turned in a file, with what is known as equivalent."""
+    """All mutants of a file, equivalent ones included."""
     return [Mutant(file, place) for place in _sites(file)]
 
 
 def drawn(files: str, each: int, sample: int, part: str = "framework") -> list[Mutant]:
-    """Mutants in a random order that goes through the layers in turn, at most so many."""
+    """At most so many mutants, in a random order that takes the layers in turn."""
     piles = [list(mutants(layer, files, each)) for layer in PARTS[part]]
     for layer, pile in zip(PARTS[part], piles, strict=True):
         random.Random(layer).shuffle(pile)
@@ -103,13 +103,13 @@ def drawn(files: str, each: int, sample: int, part: str = "framework") -> list[M
 
 
 def uniform(files: str, sample: int, seed: int, part: str = "framework") -> list[Mutant]:
-    """So many mutants, each place of a part that can be turned being as likely as any other."""
+    """A random sample of mutants, drawn from all places of a part with equal probability."""
     every = [one for layer in PARTS[part] for one in mutants(layer, files, EVERY)]
     return random.Random(seed).sample(every, min(sample, len(every)))
 
 
 def named(file: str, node: ast.AST, made: ast.AST) -> str:
-    """What becomes of a node of a file, by the functions that it is in instead of its line."""
+    """The change of a node, with the enclosing functions in place of its line."""
     return f"{file} {_owner(file, node)}: {_change(node, made)}"
 
 
@@ -119,7 +119,7 @@ def _change(node: ast.AST, made: ast.AST) -> str:
 
 @functools.cache
 def equivalents() -> dict[str, str]:
-    """Keys of mutants that no test can tell from the original -> why."""
+    """Key of a mutant that behaves like the original -> the reason."""
     lines = [line for line in EQUIVALENT.read_text().splitlines() if line and line[0] != "#"]
     told = [line.split("  # ") for line in lines]
     return {key.rstrip(): why for key, why in told}
@@ -133,7 +133,7 @@ def _sites(file: str) -> dict[int, ast.expr]:
 
 @functools.cache
 def _bodies(file: str) -> list[set[ast.AST]]:
-    """All nodes in the body of each function, of which none is inside another in the list."""
+    """The nodes in the body of each function."""
     functions = [one for one in ast.walk(parsed(file)) if isinstance(one, Function)]
     return [{node for part in _body(one) for node in ast.walk(part)} for one in functions]
 
@@ -143,10 +143,10 @@ def _body(function: Function) -> list[ast.AST]:
 
 
 def _statement(file: str, node: ast.AST) -> tuple[int, int]:
-    """First and last line of what runs with a node: its statement's, or the head of a compound."""
+    """The first and last line of the statement of a node, or of the head of a compound one."""
     holding = [one for one in ast.walk(parsed(file)) if isinstance(one, ast.stmt)
                and any(inner is node for inner in ast.walk(one))]  # fmt: skip
-    own = holding[-1]  # ast.walk goes from the outside in
+    own = holding[-1]  # ast.walk visits outer nodes first
     inner = [one.lineno for one in ast.walk(own) if isinstance(one, ast.stmt) and one is not own]
     last = getattr(own, "end_lineno", own.lineno)
     return own.lineno, max(min([last, *(line - 1 for line in inner)]), own.lineno)
@@ -154,7 +154,7 @@ def _statement(file: str, node: ast.AST) -> tuple[int, int]:
 
 @functools.cache
 def _owner(file: str, node: ast.AST) -> str:
-    """The functions and classes that a node is in, from the outside."""
+    """The enclosing functions and classes of a node, outermost first."""
     kinds = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
     around = [one.name for one in ast.walk(parsed(file)) if isinstance(one, kinds)
               and any(inner is node for inner in ast.walk(one))]  # fmt: skip
@@ -193,6 +193,6 @@ def _turned(node: ast.AST) -> ast.AST:
     elif isinstance(made, ast.Call):
         assert isinstance(made.func, ast.Name)
         made.func.id = NAMES[made.func.id]
-    elif isinstance(made, ast.UnaryOp):  # not x: x itself, as a truth
+    elif isinstance(made, ast.UnaryOp):  # `not x` becomes the truth value of x
         made.op, made.operand = ast.Not(), ast.UnaryOp(ast.Not(), made.operand)
     return made

@@ -1,4 +1,4 @@
-"""Mechanical mutants of the kernels: operators turned, constants moved, one at a time."""
+"""Makes mechanical mutants of the kernels: one changed operator or constant each."""
 
 import ast
 import copy
@@ -15,7 +15,7 @@ from vv.plan.project import find
 
 ROOT = Path(__file__).resolve().parents[2]
 COMPILED = re.compile(r"^@(?:compiled|called|inlined|inlined_called|lent|shared)\b", re.MULTILINE)
-BESIDE = (  # what `exact` computes outside its kernels
+BESIDE = (  # computations of `exact` outside its kernels
     "bonds", "flow", "ledger", "path", "system",
     "slide/clock", "slide/flow", "slide/ledger", "slide/path", "slide/system",
     "turn/ledger", "turn/path",
@@ -40,7 +40,7 @@ SYMBOLS = {
 
 
 class Mutant(NamedTuple):
-    """A node of a kernel to turn: what that is, its file, codes to ask, its place in ast.walk."""
+    """A mutant of a kernel: the change in words, its file, its codes, the index in ast.walk."""
 
     what: str
     file: str
@@ -48,7 +48,7 @@ class Mutant(NamedTuple):
     place: int
 
     def text(self) -> str:
-        """The file's text with this node turned."""
+        """The text of the mutated file."""
         tree = copy.deepcopy(parsed(self.file))
         node = list(ast.walk(tree))[self.place]
         changed = turned(node)
@@ -59,7 +59,7 @@ class Mutant(NamedTuple):
 
 @functools.cache
 def kernels() -> dict[str, tuple[str, ...]]:
-    """File -> codes: all that is compiled, with every code that it is part of."""
+    """File -> codes: all compiled files, with the codes that contain them."""
     project = find(ROOT)
     exact = [f"vv/engines/exact/{name}.py" for name in BESIDE]
     found: dict[str, tuple[str, ...]] = dict.fromkeys(exact, ("exact",))
@@ -73,14 +73,14 @@ def kernels() -> dict[str, tuple[str, ...]]:
 
 @functools.cache
 def parsed(file: str) -> ast.Module:
-    """A file's tree, not to be changed."""
+    """The syntax tree of a file, which must not be changed."""
     return ast.parse((ROOT / file).read_text())
 
 
 def mechanical(each: int) -> Iterator[Mutant]:
-    """Operators turned and constants moved, a fixed random choice of `each` in every kernel.
+    """A fixed random choice of `each` mutants in every kernel.
 
-    The first of every kernel comes before the second of any: a run that is cut tells of all.
+    The first mutants of all kernels precede the second ones, so that a partial run covers all.
     """
     chosen = {file: _chosen(file)[:each] for file in kernels()}
     for turn in range(each):
@@ -91,7 +91,7 @@ def mechanical(each: int) -> Iterator[Mutant]:
 
 
 def all_places(files: Iterable[str]) -> Iterator[Mutant]:
-    """All that can be turned in files, compiled or not, in the order of files and places."""
+    """All mutants in files, compiled or not, in the order of files and places."""
     for file in files:
         nodes = list(ast.walk(parsed(file)))
         for place in sorted(_chosen(file)):
@@ -99,7 +99,7 @@ def all_places(files: Iterable[str]) -> Iterator[Mutant]:
 
 
 def _chosen(file: str) -> list[int]:
-    """The places of all that can be turned in a file, in a random order of its own."""
+    """The indices of all nodes of a file that can be mutated, in a random order."""
     sites = [place for place, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]
     return random.Random(file).sample(sites, len(sites))
 
@@ -113,7 +113,7 @@ def _turnable(node: ast.AST) -> bool:
 
 
 def turned(node: ast.AST) -> ast.expr:
-    """A copy of a node that can be turned, turned."""
+    """A mutated copy of a node."""
     made = copy.deepcopy(node)
     if isinstance(made, ast.Constant):
         assert isinstance(made.value, float)
@@ -127,9 +127,9 @@ def turned(node: ast.AST) -> ast.expr:
 
 
 def _what(file: str, node: ast.AST) -> str:
-    """Where a node is, from its start to its end, and what becomes of it.
+    """The place of a node, from its start to its end, and its change.
 
-    In a * b * c two products start at one place.
+    The end is needed, since in a * b * c two products start at one place.
     """
     columns = f"{getattr(node, 'col_offset', 0)}-{getattr(node, 'end_col_offset', 0)}"
     where = f"{file}:{getattr(node, 'lineno', 0)}:{columns}"

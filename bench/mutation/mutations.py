@@ -1,10 +1,10 @@
-"""Turns operators of the kernels one at a time and counts which mutants the gate catches.
+"""Mutates operators of the kernels one at a time, and counts the mutants that the gate detects.
 
-`python -m bench.mutation.mutations` runs all; `--each N` sets how many a kernel gets; `--files
-PATTERN` which kernels. One is caught if the gate is red for an answer that is wrong, gains energy,
-crashes or hangs; hangs are counted apart. The bar is that one in twenty survives, and that the gate
-is green for every code with all of them in it and none of them on. What the gate said is kept, and
-not asked again of the same sources, so that a run that was cut goes on.
+`python -m bench.mutation.mutations` runs all; `--each N` sets the number per kernel; `--files
+PATTERN` selects kernels. A mutant is detected if the gate is red for an answer that is wrong, gains
+energy, crashes or hangs; hangs are counted separately. The bar: at most one in twenty survives, and
+the gate is green for every code if the copy contains all mutants and none is on. Verdicts are
+stored by the digest of the sources, so that an interrupted run can continue.
 """
 
 import argparse
@@ -31,13 +31,13 @@ from vv.records.finding import Bit
 HANGS = "hangs"
 SPHERES, BLOCKS = ("single-contact",), ("responding-block:1d", "wedge:xi-1", "painleve")
 SHORTEST = {"exact": SPHERES, "dem": SPHERES, "rigid": BLOCKS, "dda": BLOCKS}
-HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
-COMPILING, SOLVING = 600.0, 60.0  # s after which the gate hangs, many times what it takes
-KEPT = ROOT / ".vv" / "mutants"  # what the gate said, and the copy that holds all mutants
+HASTILY = {"NUMBA_OPT": "1"}  # compiling takes two thirds of the time; the solves are short
+COMPILING, SOLVING = 600.0, 60.0  # s, many times the usual, after which the gate counts as hung
+KEPT = ROOT / ".vv" / "mutants"  # stored verdicts, and the copy with all mutants
 
 
 class Question(NamedTuple):
-    """What is asked of codes' gates, all that an answer hangs on beside the sources, and how."""
+    """A question to the gates of codes: all that its answer depends on beside the sources."""
 
     what: str
     codes: tuple[str, ...]
@@ -46,9 +46,9 @@ class Question(NamedTuple):
 
 
 def alone(file: str, codes: Sequence[str], text: str) -> str:
-    """How the gate answers a copy of the project with a file changed: '' if it sees nothing.
+    """The verdict of the gate on a copy of the project with a changed file; '' if green.
 
-    One code is asked after the other, until one of them sees it.
+    The gates of the codes are run in turn, until one of them is red.
     """
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder)
@@ -58,17 +58,17 @@ def alone(file: str, codes: Sequence[str], text: str) -> str:
 
 
 def _stages(code: str) -> Iterator[tuple[float, tuple[str, ...], dict[str, str]]]:
-    """The shortest cases first; for what survives them, all. With each when it hangs [s]."""
+    """The selections of cases with their time limits [s]: the shortest cases first, then all."""
     yield COMPILING, SHORTEST[code], HASTILY
     yield COMPILING, (), HASTILY
 
 
 def switched(project: Path, codes: Sequence[str], number: int) -> str:
-    """How the gate answers the copy that holds all mutants with one of them on, or none, 0.
+    """The verdict of the gate on the copy with all mutants, with one of them on, or none (0).
 
-    Most are seen by the shortest cases of the first code.
+    Most are detected by the shortest cases of the first code.
     """
-    limit = SOLVING if number else COMPILING  # which is done once for all that follow
+    limit = SOLVING if number else COMPILING  # compiled once for all later runs
     seen = (
         _gate(project, code, limit, stage, {NUMBER: str(number)})
         for code in codes
@@ -80,7 +80,7 @@ def switched(project: Path, codes: Sequence[str], number: int) -> str:
 def _gate(
     project: Path, code: str, limit: float, selection: tuple[str, ...], settings: dict[str, str]
 ) -> str:
-    """What the gate says of a project, with an empty store."""
+    """The verdict of the gate on a project, with an empty store."""
     words = ["gate", *selection, "--codes", code, "--level", "quick", "--require", code]
     with tempfile.TemporaryDirectory() as data:
         env = {**os.environ, "PYTHONPATH": str(project), "VV_DATA": data, **settings}
@@ -97,7 +97,7 @@ def _gate(
 
 
 def mutated(each: int, files: str, project: Path) -> list[Question]:
-    """What is asked of the mechanical mutants in a copy that holds them all, or else alone."""
+    """The questions for mechanical mutants: in the copy with all of them if possible, or alone."""
     every = list(mechanical(each))
     numbers = build(project, every)
     asked = []
@@ -113,7 +113,7 @@ def mutated(each: int, files: str, project: Path) -> list[Question]:
 
 
 def unharmed(project: Path) -> list[Question]:
-    """For every code what the gate must not see: nothing changed, and no mutant of all on."""
+    """The questions that must be green for every code: nothing changed, and no mutant on."""
     every = list(mechanical(1))
     codes = sorted({code for mutant in every for code in mutant.codes})
     first = {m.codes[0]: m.file for m in every}
@@ -135,7 +135,7 @@ def _later(ask: Callable[..., str], *given: object) -> Callable[[], str]:
 
 
 def answers(questions: Sequence[Question]) -> dict[str, str]:
-    """What the gate says, as many at a time as there are cores."""
+    """The verdicts of the gate, with as many runs at a time as there are cores."""
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         told = {}
         for one, answer in zip(questions, pool.map(_asked_once, questions), strict=True):
@@ -145,7 +145,7 @@ def answers(questions: Sequence[Question]) -> dict[str, str]:
 
 
 def _asked_once(question: Question) -> str:
-    """What the gate says, now or before; a hang may be a busy machine's fault."""
+    """The verdict of the gate, new or stored; hangs, which load may cause, are not stored."""
     whole = f"{sources_digest()}{question.what}{question.changed}"
     kept = KEPT / "told" / hashlib.sha256(whole.encode()).hexdigest()
     if kept.is_file():
@@ -158,12 +158,12 @@ def _asked_once(question: Question) -> str:
 
 @functools.cache
 def sources_digest() -> str:
-    """Digest of all that an answer hangs on, and of how the gate is asked."""
+    """The digest of all sources that a verdict depends on."""
     return source_digest([*sources(), *Path(__file__).parent.glob("*.py")])
 
 
 def main() -> None:
-    """Seed, count and judge."""
+    """Make mutants, run the gates, count the survivors and judge."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--each", type=int, default=10, help="mechanical mutants a kernel")
     parser.add_argument("--files", default="*", help="kernels, such as 'vv/engines/dem/*'")

@@ -1,8 +1,8 @@
-"""A copy of the project that holds many mutants at once, of which a process switches one on.
+"""Builds a copy of the project with many mutants, one of which a process can switch on.
 
-Where a mutant is stands a choice between what is there and what it becomes (mutant schemata,
-Untch, Offutt and Harrold 1993), made by a number that the process is started with. So kernels are
-compiled once for all mutants, and each costs no more than the cases it is put to.
+In place of a mutated expression the copy has a choice between the original and the mutated one
+(mutant schemata, Untch, Offutt and Harrold 1993), made by a number in the environment of the
+process. Kernels are therefore compiled once for all mutants.
 """
 
 import ast
@@ -19,13 +19,13 @@ CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproje
 KERNEL = ("compiled", "called", "inlined", "shared")
 PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "at", "cross",
         "add_scaled")  # fmt: skip
-SWITCHES = ("switch", "switch_compiled")  # beside this file, which the copy has in vv/
+SWITCHES = ("switch", "switch_compiled")  # files beside this one that the copy has in vv/
 
 
 def build(folder: Path, mutants: Sequence[Mutant]) -> dict[str, int]:
-    """Copy the project to a folder, with all mutants that can be switched; what -> its number.
+    """Copy the project to a folder, with all switchable mutants; returns mutant -> number.
 
-    What lies there already as it should is left, so that kernels compiled before are still known.
+    Files that are already correct are left, so that compiled kernels stay valid.
     """
     numbers = {m.what: i for i, m in enumerate(mutants, 1) if switchable(m)}
     changed = {}
@@ -39,13 +39,13 @@ def build(folder: Path, mutants: Sequence[Mutant]) -> dict[str, int]:
 
 
 def sources() -> list[Path]:
-    """Every file of the project that an answer of the gate hangs on."""
+    """All files of the project that a verdict of the gate depends on."""
     parts = [path for name in CONTENT for path in (ROOT / name, *(ROOT / name).rglob("*"))]
     return [path for path in parts if path.is_file() and path.suffix != ".pyc"]
 
 
 def copied(folder: Path, changed: Mapping[str, bytes]) -> None:
-    """Make a folder hold the project with some files changed, and nothing of one before."""
+    """Copy the project to a folder with some files changed; other files there are removed."""
     own = {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in sources()}
     wanted = {**own, **changed}
     for part in CONTENT:
@@ -59,9 +59,9 @@ def copied(folder: Path, changed: Mapping[str, bytes]) -> None:
 
 
 def switchable(mutant: Mutant) -> bool:
-    """Whether a choice can stand for a node: where a function runs, not where it is defined.
+    """Whether a choice can replace a node: in the body of a function, not in its definition.
 
-    Of a condition on None the compiler must see which branch there is.
+    For a condition on None the compiler must know the branch, so that it is excluded.
     """
     node = list(ast.walk(parsed(mutant.file)))[mutant.place]
     on_none = any(isinstance(one, ast.Is | ast.IsNot) for one in ast.walk(node))
@@ -71,7 +71,7 @@ def switchable(mutant: Mutant) -> bool:
 
 
 def _bodies(file: str) -> Iterator[tuple[bool, set[ast.AST]]]:
-    """For each function whether it is a kernel, and all nodes of its body."""
+    """For each function, whether it is a kernel, and all nodes of its body."""
     for function in ast.walk(parsed(file)):
         if isinstance(function, ast.FunctionDef):
             named = [one.id for one in function.decorator_list if isinstance(one, ast.Name)]
@@ -80,7 +80,7 @@ def _bodies(file: str) -> Iterator[tuple[bool, set[ast.AST]]]:
 
 
 def _switched(file: str, numbers: dict[int, int]) -> str:
-    """A file's text with a choice at every place that has a number."""
+    """The text of a file with a choice at each numbered place."""
     tree = parsed(file)
     nodes = list(ast.walk(tree))
     inside = {node for kernel, body in _bodies(file) if kernel for node in body}
@@ -100,12 +100,12 @@ def _switched(file: str, numbers: dict[int, int]) -> str:
 
 @functools.cache
 def _version() -> str:
-    """Digest of how choices are made, by which kernels compiled otherwise are known as stale."""
+    """The digest of this generator, by which stale compiled kernels are recognised."""
     return source_digest([Path(__file__).parent / f"{name}.py" for name in SWITCHES])[:12]
 
 
 class _Switch(ast.NodeTransformer):
-    """Puts choices into a copy of a tree: of two values in a kernel, else of what is worked out."""
+    """Inserts choices into a syntax tree: both values are computed in kernels, one elsewhere."""
 
     def __init__(self, chosen: dict[ast.AST, int], kernel: set[ast.AST]) -> None:
         self.chosen, self.kernel = chosen, kernel
@@ -133,7 +133,7 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 def _plain(node: ast.AST) -> bool:
-    """Whether both values of a choice can be worked out: nothing guards or changes anything."""
+    """Whether both values of a choice can be computed: no side effects, and no guard needed."""
     calls = [one.func for one in ast.walk(node) if isinstance(one, ast.Call)]
     names = [next(n.id for n in ast.walk(f) if isinstance(n, ast.Name)) for f in calls]
     return not isinstance(node, ast.BoolOp) and all(name in PURE for name in names)

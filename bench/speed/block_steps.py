@@ -1,8 +1,7 @@
-"""What a step of one rigid block costs: as a point mass, in general, and free to turn.
+"""Measures the cost of a step of one rigid block: as a point mass, in general, and rotating.
 
 `python -m bench.speed.block_steps` solves Newmark's sine and the responding block in three
-directions; the general model is the one of many blocks, which a scene of one must not pay for
-dearly.
+directions. The general model is that of many blocks; its cost must stay low for a single one.
 """
 
 import dataclasses
@@ -35,7 +34,7 @@ SCENES = {
 
 
 def microseconds(program: PreparedRigidBlocks) -> float:
-    """The least of five solves, as CPU microseconds a step."""
+    """The CPU microseconds per step, the minimum of five solves."""
     program.warm()
     least = np.inf
     for _ in range(5):
@@ -46,7 +45,7 @@ def microseconds(program: PreparedRigidBlocks) -> float:
 
 
 def programs(held: Scene, free: Scene) -> dict[str, PreparedRigidBlocks]:
-    """The three ways to move one block."""
+    """The programs for the three models of one block."""
     ask = Ask(held, History(5.0, 0.01), (Displacement(1),), Knobs(1e-3))
     turning = dataclasses.replace(ask, scene=free)
     return {

@@ -1,8 +1,8 @@
-"""A dry wall of 205 blocks in `rigid`: at rest, shaken so that it holds, and so that it slides.
+"""Solves a dry wall of 205 blocks in `rigid`: at rest, shaken without and with sliding.
 
-Running bond, ten courses of 20 blocks or of 19 and two halves, on a base that moves along the
-wall as D (1 - cos 2 pi f t), no damping, dt = 1e-3 s. At 0.36 g the wall holds; at 0.72 g it slides
-and its courses part, which must converge too.
+Running bond, ten courses of 20 blocks or of 19 and two halves, on a base that moves along the wall
+as D (1 - cos 2 pi f t), no damping, dt = 1e-3 s. At 0.36 g the wall holds; at 0.72 g it slides and
+its courses separate, and steps must converge there too.
 """
 
 import time
@@ -22,7 +22,7 @@ PARTS = {"at rest": (0.0, 1.0), "shaken": (0.01, 1.0), "sliding": (0.02, 0.3)}  
 
 
 def figures(program: PreparedRigidBlocks, seconds: float) -> dict[str, float]:
-    """What a solve that took so long came to."""
+    """The figures of a solve."""
     energies, report = program.energies, program.report[1:]
     put_in = max(float(np.abs(np.diff(energies[:, 3])).sum()), float(np.ptp(energies[:, 0])))
     weight = sum(block.mass for block in program.ask.scene.blocks) * G
@@ -41,7 +41,7 @@ def figures(program: PreparedRigidBlocks, seconds: float) -> dict[str, float]:
 
 
 def solved(amplitude: float, duration: float) -> dict[str, float]:
-    """Solve the wall, every step a row."""
+    """Solve the wall, with an output at every step."""
     scene = running_bond(COLUMNS, COURSES, amplitude, FREQUENCY)
     ask = Ask(scene, History(duration, 1e-3), (Displacement(1),), Knobs(1e-3))
     program = rigid.prepare(ask)

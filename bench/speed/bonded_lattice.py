@@ -1,8 +1,9 @@
-"""What a step of a bonded lattice costs in dem, beside YADE's bonded model in the same run.
+"""Measures the cost of a step of a bonded lattice in dem and in YADE, in the same run.
 
-`python -m bench.speed.bonded_lattice` steps blocks of quartzite on bonds that never break, without
-contacts, and on bonds that may break and then rub. YADE has no model of the first kind and looks,
-at each step, whether bonds break and what else touches: it is to be compared with the second.
+`python -m bench.speed.bonded_lattice` steps blocks of quartzite with bonds that never break,
+without contacts, and with bonds that may break and then have friction. YADE has no model of the
+first kind: at each step it checks whether bonds break and searches for contacts, so that it is
+comparable with the second.
 """
 
 import json
@@ -21,9 +22,13 @@ from vv.scene import Bonds, Contact, Scene, Spheres
 
 KN, KS, M, D, SPEED, DT = 46793831.1079, 8067901.91516, 1.87383297e-6, 1e-3, 1e-2, 1e-8
 MU, KINDS = 0.396446609, {"lasting": np.inf, "breakable": 1e3}  # strengths [N] of bonds
-TIMES = {2166: 12.0, 10985: 12.0, 37681: 20.0}  # as many particle-steps a second as YADE, at least
+TIMES = {
+    2166: 12.0,
+    10985: 12.0,
+    37681: 20.0,
+}  # the least speed-up over YADE
 WORK, YADES_WORK = 6e6, 1e6  # particle-steps in a run
-LOSS = 1e-9  # of the energy, in a run
+LOSS = 1e-9  # relative change of the energy in a run
 
 
 def scene(block: Lattice, strength: float) -> Scene:
@@ -38,7 +43,7 @@ def scene(block: Lattice, strength: float) -> Scene:
 
 
 def ours(block: Lattice, strength: float) -> tuple[float, float]:
-    """CPU seconds of a step, the least of three runs; the part of the energy that came or went."""
+    """The CPU seconds of a step, minimum of three runs, and the relative change of the energy."""
     system = space(scene(block, strength))
     steps = int(WORK / len(block.position))
     path, energy, watched = system.outputs(2, (0,))
@@ -55,7 +60,7 @@ def ours(block: Lattice, strength: float) -> tuple[float, float]:
 
 
 def yades(block: Lattice) -> float:
-    """CPU seconds of a step of YADE; it must have found the same bonds."""
+    """The CPU seconds of a step of YADE, which must have found the same bonds."""
     script, steps = (
         Path(__file__).with_name("yade_lattice.py"),
         int(YADES_WORK / len(block.position)),

@@ -1,11 +1,11 @@
-"""What a step of many spheres costs in dem, and how that grows, beside other codes.
+"""Measures the cost of a step of many spheres in dem and other codes, and how it grows.
 
 `python -m bench.speed.bulk [packs] [threads] [stacks]` steps settled packs and stacks of spheres
-that turn, rub and are slowed, one code after the other and over again: the least CPU time per
-sphere and step, with the energy of motion and the contacts at the end, which show that all did the
-same. Beside them stands what the bandwidth of the memory allows, as a triad of arrays has it. Packs
-are stepped by two threads and by two ranks of LIGGGHTS, too, by the wall: two cores must be free.
-LAMMPS is asked if VV_LAMMPS is set.
+with rotation, friction and drag, in several rounds over all codes. It prints the least CPU time per
+sphere and step; the kinetic energy and the contacts at the end show that all codes solved the same
+scene. The limit by the memory bandwidth is that of a triad of arrays. Packs are also stepped with
+two threads and with two ranks of LIGGGHTS, by wall time, which needs two free cores. LAMMPS is
+included if VV_LAMMPS is set.
 """
 
 from __future__ import annotations
@@ -29,21 +29,25 @@ from vv.scene import Scene
 
 PACKS = {10_000: 300, 50_000: 60}  # steps
 STACKS = {100: 20000, 1000: 2000, 10_000: 200, 50_000: 60, 200_000: 20, 1_000_000: 6}
-BESIDE, ROUNDS = 50_000, 3  # the others up to so many spheres
+BESIDE, ROUNDS = 50_000, 3  # the most spheres for other codes; rounds
 FLAT, MEMORY = 1.25, 3e9
-TIMES = {"liggghts": 1.8, "yade": 5.0, "lammps": 1.3}  # as quick in a settled pack, at least
+TIMES = {
+    "liggghts": 1.8,
+    "yade": 5.0,
+    "lammps": 1.3,
+}  # the least speed-ups in a settled pack
 WINDOW = {10_000: 20, 50_000: 20}  # steps of packs on two cores
-TWO, SAME = 1.5, 0.01  # times as quick as two ranks, at least; energies of motion agree to
+TWO, SAME = 1.5, 0.01  # the least speed-up over two ranks; relative agreement of kinetic energies
 SHARED = {
     "dem, one thread": (bulk_shared.ours, 1),
     "dem, two threads": (bulk_shared.ours, 2),
     "liggghts, two ranks": (bulk_shared.liggghts, 2),
 }
-MOVED = 700.0  # bytes that a step reads and writes for each sphere, by count of the arrays
+MOVED = 700.0  # bytes that a step reads and writes per sphere, by counting the arrays
 
 
 def codes() -> dict[str, Callable[[Scene, int], Cost]]:
-    """What can be asked here."""
+    """The codes that can run here."""
     found: dict[str, Callable[[Scene, int], Cost]] = {"dem": bulk_codes.ours}
     if liggghts.ADAPTER.found().installed:
         found["liggghts"] = bulk_codes.liggghts
@@ -55,7 +59,7 @@ def codes() -> dict[str, Callable[[Scene, int], Cost]]:
 
 
 def in_turn(name: str, scene: Scene, steps: int, figures: dict[str, float]) -> dict[str, float]:
-    """The least cost in each code [ns], of several rounds; notes what each found."""
+    """The least cost in each code [ns] of several rounds; adds figures of each code."""
     least: dict[str, float] = {}
     for _ in range(ROUNDS if len(scene.spheres) < 1_000_000 else 1):
         for code, run in codes().items():
@@ -72,7 +76,7 @@ def in_turn(name: str, scene: Scene, steps: int, figures: dict[str, float]) -> d
 
 
 def on_two_cores(n: int, figures: dict[str, float]) -> dict[str, bool]:
-    """A settled pack on one thread and two, and on two ranks of LIGGGHTS; the bars."""
+    """Time a settled pack on one and two threads and on two ranks of LIGGGHTS; returns the bars."""
     name, found = f"pack of {n}", in_rounds(settled(n), WINDOW[n])
     figures |= {f"{name}: {who}, wall ns a sphere and step": run.ns for who, run in found.items()}
     one, two, ranks = found.values()
@@ -88,7 +92,7 @@ def on_two_cores(n: int, figures: dict[str, float]) -> dict[str, bool]:
 
 
 def in_rounds(scene: Scene, steps: int) -> dict[str, Shared]:
-    """What each that may share takes, the least of several rounds in turn."""
+    """The cost of each parallel run, the least of several alternating rounds."""
     found: dict[str, Shared] = {}
     for _ in range(ROUNDS):
         for who, (run, share) in SHARED.items():
@@ -98,7 +102,7 @@ def in_rounds(scene: Scene, steps: int) -> dict[str, Shared]:
 
 
 def packs(figures: dict[str, float]) -> dict[str, bool]:
-    """Settled packs in all codes, on one core; the bars."""
+    """Time settled packs in all codes, on one core; returns the bars."""
     bars: dict[str, bool] = {}
     for n, steps in PACKS.items():
         least = in_turn(f"pack of {n}", settled(n), steps, figures)
@@ -110,7 +114,7 @@ def packs(figures: dict[str, float]) -> dict[str, bool]:
 
 
 def threads(figures: dict[str, float]) -> dict[str, bool]:
-    """Settled packs on two cores; the bars."""
+    """Time settled packs on two cores; returns the bars."""
     bars: dict[str, bool] = {}
     for n in WINDOW if liggghts.ADAPTER.found().installed else ():
         bars |= on_two_cores(n, figures)
@@ -118,7 +122,7 @@ def threads(figures: dict[str, float]) -> dict[str, bool]:
 
 
 def stacks(figures: dict[str, float]) -> dict[str, bool]:
-    """Stacks of all sizes; the bars."""
+    """Time stacks of all sizes; returns the bars."""
     grown = {n: in_turn(f"stack of {n}", stack(n), s, figures)["dem"] for n, s in STACKS.items()}
     peak = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     figures["a million spheres, GB at most"] = peak / 1e9

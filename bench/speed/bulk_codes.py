@@ -1,9 +1,9 @@
 """Steps a scene of many spheres with dem, LIGGGHTS, LAMMPS and YADE, for benches.
 
-Each function returns CPU ns of a sphere in a step, without set-up, and the energy of motion [J] and
-the contacts of spheres at the end, which show that all did the same. LIGGGHTS and LAMMPS seek
-neighbours when they must. LAMMPS is the Python package `lammps`, in an environment that VV_LAMMPS
-names; it needs `mpich` beside it.
+Each function returns the CPU ns per sphere and step, without set-up, and the kinetic energy [J] and
+the contacts at the end, which show that all codes solved the same scene. LIGGGHTS and LAMMPS
+rebuild neighbour lists only when necessary. LAMMPS is the Python package `lammps`, in an
+environment that VV_LAMMPS names; it needs `mpich` beside it.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ run {steps}
 
 
 class Cost(NamedTuple):
-    """CPU ns of a sphere in a step, and energy of motion [J] and contacts at the end."""
+    """CPU ns per sphere and step, and the kinetic energy [J] and the contacts at the end."""
 
     ns: float
     energy: float
@@ -70,7 +70,7 @@ class Cost(NamedTuple):
 
 
 def ours(scene: Scene, steps: int) -> Cost:
-    """The cost in dem: a run less its set-up."""
+    """The cost in dem: a run minus its set-up."""
     model, s = bulk(scene), scene.spheres
     assert model is not None
     n = len(s)
@@ -88,28 +88,28 @@ def ours(scene: Scene, steps: int) -> Cost:
 
 
 def asked(scene: Scene, steps: int) -> Ask:
-    """Steps without output."""
+    """The ask to run steps without output."""
     return Ask(scene, History(steps * DT, steps * DT), (), Knobs(DT), energies=(Form.KINETIC,))
 
 
 def liggghts(scene: Scene, steps: int) -> Cost:
-    """The cost in LIGGGHTS: a run less its set-up."""
+    """The cost in LIGGGHTS: a run minus its set-up."""
     text = verbose_deck(scene, steps)
     return difference(["liggghts"], text, "log.liggghts", len(scene.spheres), steps)
 
 
 def verbose_deck(scene: Scene, steps: int) -> str:
-    """A deck for LIGGGHTS whose log tells how fast spheres are and how many touch."""
+    """A deck for LIGGGHTS whose log states the kinetic energy and the contacts."""
     text = silent_deck(set_up(asked(scene, steps), "default"))
     assert EVERY in text
     return text.replace(EVERY, "").replace("thermo_style    custom step atoms", TOLD)
 
 
 def lammps(scene: Scene, steps: int) -> Cost:
-    """The same of LAMMPS, which has the law of contacts as its style gran/hooke/history.
+    """The cost in LAMMPS, which has the contact law as its style gran/hooke/history.
 
-    Walls of that style have a spring of friction that versions up to July 2025 multiply by the
-    radius of the contact, some 1e-3 m: they hardly rub. Walls are granular for that reason.
+    In versions up to July 2025 walls of that style multiply the shear spring by the contact radius,
+    about 1e-3 m, so that they have almost no friction. Therefore walls have the style granular.
     """
     home, law, s = Path(os.environ["VV_LAMMPS"]), scene.contact, scene.spheres
     style = WALL.format(kn=law.kn, ks=law.ks, mu=law.mu)
@@ -147,7 +147,7 @@ def difference(
     program: Sequence[str], text: str, log: str, n: int, steps: int,
     files: dict[str, str] | None = None, **more: str,
 ) -> Cost:  # fmt: skip
-    """Run a deck with and without its steps."""
+    """The cost of a deck: a run with its steps minus one without."""
     spent = []
     for run in (0, steps):
         with tempfile.TemporaryDirectory() as folder:
@@ -176,6 +176,6 @@ def yades(scene: Scene, steps: int) -> Cost:
 
 
 def child_seconds() -> float:
-    """CPU seconds of all children that have ended."""
+    """The CPU seconds of all child processes that have ended."""
     spent = resource.getrusage(resource.RUSAGE_CHILDREN)
     return spent.ru_utime + spent.ru_stime

@@ -1,9 +1,9 @@
 """Steps a scene of many spheres with two threads of dem and two ranks of LIGGGHTS, for benches.
 
-Threads and ranks wait awake for each other, so that CPU time says nothing: wall ns of a sphere in a
-step are told, without set-up, and the energy of motion [J] after the first steps, which shows that
-all did the same. Whatever else runs makes them longer. They are therefore the least of many windows
-of few steps each, as some of these have both cores to themselves.
+Threads and ranks wait for each other in busy loops, so that CPU time means nothing. The figures are
+wall ns per sphere and step, without set-up, and the kinetic energy [J] after the first steps, which
+shows that all solved the same scene. Other processes increase wall times; therefore the minimum of
+many short windows is taken, some of which have both cores to themselves.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ from vv.engines.kernels.threads import on_threads
 from vv.scene import Scene
 
 RANKS = ["mpirun", "--allow-run-as-root", "--bind-to", "none", "--oversubscribe", "-np"]
-BEFORE = "newton "  # a command that stands before the box is made
-WINDOWS, PAUSE = 25, 0.03  # in a call; between them [s], so that other processes have their turn
+BEFORE = "newton "  # the command before which processors are assigned
+WINDOWS, PAUSE = 25, 0.03  # windows in a call; pause between them [s], for other processes
 
 
 class Shared(NamedTuple):
-    """Wall ns of a sphere in a step, the least of many windows; energy of motion [J]."""
+    """Wall ns per sphere and step, the minimum of many windows; kinetic energy [J]."""
 
     ns: float
     energy: float
 
 
 def ours(scene: Scene, steps: int, threads: int) -> Shared:
-    """What dem takes: a run less its set-up. One thread is a kernel without any."""
+    """The cost in dem: a run minus its set-up. One thread uses the kernel without threads."""
     model = bulk(scene)
     assert model is not None
     path, energy, watched = model.outputs(2, (0,))
@@ -54,7 +54,7 @@ def ours(scene: Scene, steps: int, threads: int) -> Shared:
 
 
 def liggghts(scene: Scene, steps: int, ranks: int) -> Shared:
-    """What LIGGGHTS' own loop takes; its box is halved across, so that ranks have as much to do."""
+    """The cost of the loop of LIGGGHTS; its box is divided so that all ranks have equal work."""
     text = verbose_deck(scene, steps)
     assert text.count(BEFORE) == text.count(f"run             {steps}\n") == 1
     text = text.replace(BEFORE, f"processors {ranks} 1 1\n{BEFORE}")

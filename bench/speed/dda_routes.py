@@ -1,4 +1,4 @@
-"""What DDA's reduced route saves: one block that cannot turn, also by the general route."""
+"""Measures how much the reduced solver of DDA saves for one block that cannot rotate."""
 
 import time
 from collections.abc import Mapping
@@ -13,9 +13,9 @@ from vv.engines.dda.general.model import General
 from vv.scene import Scene, Vector
 
 DT, KN, DURATION = 1e-3, 1e9, 5.0
-CHEAP = 5.0  # microseconds a step of the reduced route
-MINIMUM = 20.0  # times cheaper a step
-AGREEMENT = 1e-10  # of the largest displacement
+CHEAP = 5.0  # the most microseconds per step of the reduced solver
+MINIMUM = 20.0  # the least ratio of costs per step
+AGREEMENT = 1e-10  # relative to the largest displacement
 SCENES: Mapping[str, Scene] = {
     "responding block in space": shaken((0.1, 0.1, 0.1), (2, 4, 1), 0.6),
     "sine on a slope": slope(20, 30, A=5.0),
@@ -24,7 +24,7 @@ SCENES: Mapping[str, Scene] = {
 
 
 def solved(program: PreparedBlocks) -> tuple[float, Vector]:
-    """The least microseconds a step of several solves, and the path."""
+    """The microseconds per step, minimum of several solves, and the path."""
     program.warm()
     spent = []
     for _ in range(7):
@@ -36,7 +36,7 @@ def solved(program: PreparedBlocks) -> tuple[float, Vector]:
 
 
 def routes(ask: Ask, way: Formulation) -> tuple[float, float, float]:
-    """Microseconds a step of either route, and how far they are apart."""
+    """The microseconds per step of both solvers, and the difference of their paths."""
     few, short = solved(prepare(ask, way))
     many, long = solved(PreparedBlocks(ask, way, General(ask.scene, way)))
     return few, many, float(np.abs(short - long).max() / np.abs(short).max())

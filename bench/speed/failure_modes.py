@@ -1,6 +1,6 @@
-"""Whether `rigid` starts a block on an incline as the published chart of first motions says.
+"""Checks the first motion of a block on an incline in `rigid` against the published chart.
 
-`python -m bench.speed.failure_modes` asks 400 points, in the plane and in space; `--seed` and
+`python -m bench.speed.failure_modes` solves 400 points, in the plane and in space; `--seed` and
 `--points` choose others. The bar: every answer agrees with the chart.
 """
 
@@ -12,7 +12,7 @@ from tests.scenes.blocks.failure_modes import NEAR, charted, points, seen
 
 
 def main() -> None:
-    """Solve all points, count agreements and judge."""
+    """Solve all points, count the agreements and judge."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--seed", type=int, default=2016)
     parser.add_argument("--points", type=int, default=400)

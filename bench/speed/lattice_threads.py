@@ -1,8 +1,7 @@
-"""What a second thread saves on a bonded lattice, and whether it changes a bit.
+"""Measures the speed-up of a second thread on a bonded lattice, and compares all bits.
 
-`python -m bench.speed.lattice_threads [SIZE...]` carries blocks whose bonds may break through the
-same steps with one thread and two, in turn, and compares the least wall times. It needs two free
-cores.
+`python -m bench.speed.lattice_threads [SIZE...]` runs the same steps of blocks with breakable bonds
+on one and two threads, in turn, and compares the least wall times. It needs two free cores.
 """
 
 import sys
@@ -16,13 +15,13 @@ from reference_solutions.bonds.close_packed_lattice import SIZES, lattice
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
 
-D, WORK, ROUNDS = 1e-3, 4e5, 20  # particle-steps in a run; runs of each kind
-TIMES = 1.6  # as fast as one thread, at least
+D, WORK, ROUNDS = 1e-3, 4e5, 20  # particle-steps in a run; number of runs of each kind
+TIMES = 1.6  # the least speed-up over one thread
 SIZES_ASKED = (2166, 10985, 37681)
 
 
 def program(size: int, steps: int, threads: int = 1, strength: float = 0.05) -> dem.PreparedSpheres:
-    """A block of elements at random velocities, on bonds of a strength [N]."""
+    """The program for a block of elements at random velocities, with bonds of a strength [N]."""
     block = lattice(*SIZES[size], D)
     seen = tuple(Displacement(i) for i in range(0, size, 7))
     goal = History(steps * DT, steps * DT)
@@ -31,7 +30,7 @@ def program(size: int, steps: int, threads: int = 1, strength: float = 0.05) -> 
 
 
 def seconds(size: int) -> tuple[float, float, bool]:
-    """Wall seconds of a step with one thread and two, and whether both give the same bits."""
+    """The wall seconds per step on one and two threads, and whether both give the same bits."""
     steps = max(20, int(WORK / size))
     few, many = [
         [program(size, n, threads, KINDS["breakable"]) for threads in (1, 2)] for n in (1, steps)

@@ -1,7 +1,7 @@
-"""The facade of 216 blocks of the case `masonry` in `rigid`: at rest, sliding, and shaken apart.
+"""Solves the facade of 216 blocks of the case `masonry` in `rigid`: at rest and shaken.
 
-Every step is looked at: its residual, and what it costs. At 0.51 g, which is the case's own, and at
-0.72 g stones part and wedge.
+The residual and the cost of every step are evaluated. At 0.51 g, the value of the case, and at 0.72
+g stones separate and wedge.
 """
 
 import time
@@ -24,7 +24,7 @@ PARTS = {
 
 
 def solved(variant: str, changed: dict[str, float]) -> dict[str, float]:
-    """Solve a variant with parameters changed, every step a row, and say what it came to."""
+    """The figures of a variant with changed parameters, with an output at every step."""
     p = {**CASE.defaults(variant), **changed}
     scene = CASE.declare(variant, p).study.ask(Knobs(DT)).scene
     program = rigid.prepare(Ask(scene, History(p["duration"], DT), (Reaction(BED),), Knobs(DT)))
@@ -47,7 +47,7 @@ def solved(variant: str, changed: dict[str, float]) -> dict[str, float]:
 
 
 def main() -> None:
-    """Measure and judge; what the bedstone bears at rest is judged by the case."""
+    """Measure and judge; the load of the bedstone at rest is judged by the case."""
     parts = {name: solved(*part) for name, part in PARTS.items()}
     moving = {name: part for name, part in parts.items() if name != "at rest"}
 

@@ -1,4 +1,4 @@
-"""What the smallest model saves: T1 with one unknown against all freedoms and terms forced on."""
+"""Measures how much the smallest model saves: T1 with one unknown, and with all terms."""
 
 import time
 
@@ -10,12 +10,12 @@ from tests.scenes.spheres.dem_contacts import forced
 from vv.ask import Ask, Displacement, Knobs
 from vv.engines import dem
 
-MINIMUM = 3.0  # times cheaper a step
+MINIMUM = 3.0  # the least ratio of costs per step
 AGREEMENT = 1e-13  # of max|y|
 
 
 def nanoseconds_a_step(ask: Ask) -> float:
-    """The least of many solves, as wall nanoseconds a step."""
+    """The wall nanoseconds per step, the minimum of many solves."""
     program = dem.prepare(ask, dem.CENTRED)
     program.warm()
     least = np.inf

@@ -1,7 +1,7 @@
 """Times YADE's bonded model on a lattice: python3 yade_lattice.py CENTRES.npy STEPS OUT.json.
 
-It runs in the system's own python3, for which YADE is built. Bonds do not break, spheres do not
-turn. What is written: how many bonds there are, and the least CPU seconds of two runs.
+It runs in the system's python3, for which YADE is built. Bonds do not break, and spheres do not
+rotate. The output holds the number of bonds and the least CPU seconds of two runs.
 """
 
 import glob
@@ -23,7 +23,7 @@ KN, KS, M, D, SPEED, DT = 46793831.1079, 8067901.91516, 1.87383297e-6, 1e-3, 1e-
 
 
 def build(centres: np.ndarray) -> None:
-    """Spheres that touch, and engines that bond them in the first step."""
+    """Create touching spheres, and engines that bond them in the first step."""
     material = yd.CohFrictMat(
         young=KN / (D / 2), poisson=KS / KN, isCohesive=True, normalCohesion=1e12,
         shearCohesion=1e12, momentRotationLaw=False,
@@ -51,7 +51,7 @@ def build(centres: np.ndarray) -> None:
 
 
 def main(centres: str, steps: str, out: str) -> None:
-    """Build, time and write."""
+    """Build the lattice, time it, and write the output."""
     build(np.load(centres))
     seconds = []
     for _ in range(2):

@@ -1,1 +1,1 @@
-"""How long a user waits for `vv`, and whether what it says of cost can be trusted."""
+"""Measures how long users wait for `vv`, and whether its costs can be trusted."""

@@ -1,4 +1,4 @@
-"""How long the command line takes: quick looks, and invocations that find nothing or all stored."""
+"""Times the command line: quick commands, and invocations with an empty or a full store."""
 
 import resource
 import shutil
@@ -15,7 +15,7 @@ LOOKS = ("list", "--help")
 
 
 def spent(words: str, folder: Path = ROOT, **environment: str) -> tuple[float, float]:
-    """(CPU seconds, wall seconds) of `vv` with its children, in a folder."""
+    """The (CPU seconds, wall seconds) of `vv` with its children, in a folder."""
     before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     env = usual(PYTHONPATH=str(ROOT), **environment)
     command = [sys.executable, "-m", "vv", *words.split()]
@@ -26,7 +26,7 @@ def spent(words: str, folder: Path = ROOT, **environment: str) -> tuple[float, f
 
 
 def alone(folder: Path, case: str) -> Path:
-    """A project in a folder that has this case only."""
+    """A project with this case only, copied to a folder."""
     for content in ("adapters", "cases", "reference_solutions"):
         kept = shutil.ignore_patterns("__pycache__", "baselines", "recorded")
         shutil.copytree(ROOT / content, folder / content, ignore=kept)
@@ -38,7 +38,7 @@ def alone(folder: Path, case: str) -> Path:
 
 
 def cold_and_again(folder: Path, words: str) -> tuple[float, float]:
-    """Wall seconds of an invocation that finds nothing stored, and of the same again."""
+    """The wall seconds of an invocation with an empty store, and of its repetition."""
     with tempfile.TemporaryDirectory() as data:
         cold = spent(words, folder, VV_DATA=data)[1]
         return cold, min(spent(words, folder, VV_DATA=data)[1] for _ in range(3))

@@ -1,7 +1,7 @@
-"""Whether costs can be trusted: two timing sessions on a busy machine must tell the same story.
+"""Checks whether two timing sessions on a busy machine give the same costs.
 
-A process per core does nothing but burn it; `python -m bench.waits.cost_trust [SELECTION...]` times
-all that is timed, or what is named, twice in that company.
+`python -m bench.waits.cost_trust [SELECTION...]` times all timed cases, or those named, twice,
+while another process keeps each core busy.
 """
 
 import contextlib
@@ -18,7 +18,10 @@ from typing import Any
 
 from bench.evidence import conclude
 
-LEAST, APART = 1e-3, 0.25  # CPU seconds from which figures must agree, and within what
+LEAST, APART = (
+    1e-3,
+    0.25,
+)  # CPU seconds above which figures must agree, and how closely
 SINGLE, SLIDING = ("single-contact:T?",), ("incline:newmark-30", "incline:two-directions")
 EVERYTHING = (*SINGLE, *SLIDING, *(f"responding-block:{n}d" for n in (1, 2, 3)))
 Place = tuple[str, str, str, float | None, float | None]
@@ -26,7 +29,7 @@ Session = dict[Place, tuple[float, float]]
 
 
 def burn(core: int) -> None:
-    """Keep a core busy as long as whoever started this lives."""
+    """Keep a core busy as long as the parent process lives."""
     parent = os.getppid()
     os.sched_setaffinity(0, {core})
     while os.getppid() == parent:
@@ -35,7 +38,7 @@ def burn(core: int) -> None:
 
 @contextlib.contextmanager
 def busy() -> Iterator[None]:
-    """Every core this process may use has something else to do."""
+    """Keep all cores of this process busy in the block."""
     cores = os.sched_getaffinity(0)
     burners = [multiprocessing.Process(target=burn, args=(n,), daemon=True) for n in cores]
     for burner in burners:
@@ -48,14 +51,14 @@ def busy() -> Iterator[None]:
 
 
 def vv(folder: Path, *words: str) -> None:
-    """A command with results of its own."""
+    """Run a command of vv with its results in a folder."""
     env = {**os.environ, "VV_DATA": str(folder)}
     command = [sys.executable, "-m", "vv", *words]
     subprocess.run(command, env=env, check=True, capture_output=True)
 
 
 def session(folder: Path, selection: Sequence[str]) -> Session:
-    """Place -> (least, most) CPU seconds of its repeats, in a timing session of its own."""
+    """Place -> (least, largest) CPU seconds of its repeats, from a new timing session."""
     shutil.rmtree(folder / "timings", ignore_errors=True)
     target = folder / "speed.json"
     vv(folder, "speed", *selection, "--json", str(target))
@@ -73,7 +76,7 @@ def session(folder: Path, selection: Sequence[str]) -> Session:
 
 
 def rankings(one: Session, two: Session) -> tuple[int, list[str]]:
-    """How many pairs on one variant lie apart in both sessions, and those that changed places."""
+    """The number of pairs on a variant that are distinct in both sessions, and reversed pairs."""
     apart, turned = 0, []
     for a, b in itertools.permutations(one, 2):
         if a[:2] == b[:2] and one[a][1] < one[b][0]:
@@ -84,7 +87,7 @@ def rankings(one: Session, two: Session) -> tuple[int, list[str]]:
 
 
 def gaps(one: Session, two: Session) -> dict[Place, float]:
-    """By how much each figure of a millisecond or more differs, relative to the smaller."""
+    """The relative difference of each figure of a millisecond or more, over the smaller one."""
     pairs = {place: sorted((one[place][0], two[place][0])) for place in one}
     return {place: high / low - 1 for place, (low, high) in pairs.items() if high >= LEAST}
 

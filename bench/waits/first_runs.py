@@ -1,4 +1,4 @@
-"""What the first run of each in-house code costs, and what compiling all kernels of each does."""
+"""Measures the cost of the first run of each in-house code, and of compiling its kernels."""
 
 import resource
 import subprocess
@@ -8,8 +8,8 @@ from pathlib import Path
 
 from bench.evidence import conclude, usual
 
-FIRST = 10.0  # CPU seconds of the first run of one case
-TOGETHER = 45.0  # CPU seconds in which the kernels of all engines are compiled
+FIRST = 10.0  # the most CPU seconds of the first run of one case
+TOGETHER = 45.0  # the most CPU seconds for compiling the kernels of all engines
 RUNS = (
     ("exact", "single-contact:T1"),
     ("dem", "single-contact:T1"),
@@ -22,7 +22,7 @@ ENGINES = ("dem", "dda", "rigid")
 
 
 def spent(selection: str, code: str, kernels: str) -> float:
-    """CPU seconds of a run at the quick level with an empty store, worker processes included."""
+    """The CPU seconds of a run at level quick with an empty store, worker processes included."""
     command = [sys.executable, "-m", "vv", "run", selection, "--codes", code, "--level", "quick"]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     with tempfile.TemporaryDirectory() as data:
@@ -32,7 +32,7 @@ def spent(selection: str, code: str, kernels: str) -> float:
         said = [line for line in done.stdout.splitlines() if line.startswith(("red", "gate"))]
         said = said or done.stderr.splitlines()
         raise SystemExit(
-            f"{' '.join(command[2:])} ended with {done.returncode}, so that its time says nothing: "
+            f"{' '.join(command[2:])} ended with {done.returncode}; its time means nothing: "
             f"{'; '.join(said) or 'no word'}"
         )
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -40,7 +40,7 @@ def spent(selection: str, code: str, kernels: str) -> float:
 
 
 def first(selection: str, code: str) -> tuple[float, float]:
-    """CPU seconds of a run that finds no kernels, and of the next, which finds all it needs."""
+    """The CPU seconds of a run without compiled kernels, and of the next run with them."""
     with tempfile.TemporaryDirectory() as folder:
         kernels = str(Path(folder) / "kernels")
         return spent(selection, code, kernels), spent(selection, code, kernels)

@@ -1,4 +1,4 @@
-"""What a whole run of one small case costs from start to exit, and what of it is imports."""
+"""Measures the cost of a whole run of one small case, and the part of imports in it."""
 
 import re
 import resource
@@ -27,7 +27,7 @@ print(planned - began, time.process_time() - planned)
 
 
 def cpu(*command: str, **environment: str) -> float:
-    """CPU seconds of a command with its children."""
+    """The CPU seconds of a command with its children."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run(
         [sys.executable, *command], env=usual(**environment), check=True, capture_output=True
@@ -46,7 +46,7 @@ def imported() -> list[str]:
 
 
 def kernel(cache: str) -> float:
-    """CPU seconds of the first answer of the dem engine: import of numba, kernel, solve."""
+    """The CPU seconds of the first answer of the dem engine: import of numba, kernel, solve."""
     env = usual(VV_CACHE=cache)
     command = [sys.executable, "-c", LOAD]
     told = subprocess.run(command, env=env, check=True, capture_output=True, text=True).stdout

@@ -1,1 +1,1 @@
-"""Plausible bugs, a file per kind: each is one text replaced by another, and who is to see it."""
+"""Plausible bugs, a file per kind: each replaces one text, and names what should detect it."""

@@ -1,4 +1,4 @@
-"""Bugs in how scenes are put to external codes, and answers read."""
+"""Bugs in the translation of scenes for external codes, and in the reading of answers."""
 
 from bench.mutation.seeded.bug import Bug
 

@@ -1,14 +1,14 @@
-"""What a seeded bug is."""
+"""Defines a seeded bug."""
 
 from typing import NamedTuple
 
 
 class Bug(NamedTuple):
-    """What is wrong, where, the texts before and after, and who is to see it first.
+    """A bug: a description, the file, the texts before and after, and what should detect it.
 
-    code, cases: the gate of that code, asked these cases first; for a bug in a solver or an
-    adapter, which the gate must see. tests: files or folders of tests, with spaces between them,
-    that are asked where no gate can, or does not, see it.
+    code, cases: for a bug in a solver or an adapter, the code whose gate must detect it, and the
+    cases that are run first. tests: files or folders of tests, separated by spaces, which are run
+    if no gate can detect the bug, or none does.
     """
 
     what: str

@@ -1,4 +1,4 @@
-"""Bugs by which the gate would judge wrongly: what is wrong passes, or nobody can fail."""
+"""Bugs by which the gate would judge wrongly: wrong results pass."""
 
 from bench.mutation.seeded.bug import Bug
 

@@ -1,4 +1,4 @@
-"""Bugs in what is kept and read back: damage unseen, results under the wrong key, lost digits."""
+"""Bugs in storage: undetected damage, results under the wrong key, lost digits."""
 
 from bench.mutation.seeded.bug import Bug
 

@@ -1,4 +1,4 @@
-"""Bugs in how an invocation runs: what is asked, what is taken again, what is timed or stopped."""
+"""Bugs in how an invocation runs: asks, reuse of results, timing and time limits."""
 
 from bench.mutation.seeded.bug import Bug
 

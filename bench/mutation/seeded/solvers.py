@@ -1,4 +1,4 @@
-"""Bugs in the in-house solvers: the gate at its quick level is to see every one."""
+"""Bugs in the in-house solvers: the gate at level quick must detect every one."""
 
 from bench.mutation.seeded.bug import Bug
 
