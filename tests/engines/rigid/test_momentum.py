@@ -1,4 +1,4 @@
-"""Claims about sweeps with momentum: they reach the answer of plain sweeps in fewer sweeps."""
+"""Claims about sweeps with momentum, which reach the answer of plain sweeps in fewer, and arms."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ import numba
 import numpy as np
 import pytest
 
+from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import zero_rows
+from vv.engines.rigid.general.lever_arms import halfway
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.cone import Friction, residual, sweep
 from vv.engines.rigid.solver.drift import leap_sweeps
@@ -100,3 +102,42 @@ def test_velocities_are_those_of_the_impulses(leaps: bool) -> None:
     np.add.at(made, joints.second, p)
     np.add.at(made[:-1], joints.first[4:], -p[4:])
     assert np.abs(v - made).max() <= 1e-12
+
+
+def _at_most(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector, most: int
+) -> int:
+    return int(leap_sweeps(p, joints, bodies, friction, v, w, 0.0, 0, most)[0])
+
+
+@pytest.mark.parametrize("most", [500, 650, 850, 1000])
+def test_sweeps_with_leaps_are_no_more_than_allowed(most: int) -> None:
+    """600 before the first look, then 200 and 100 in turn: each part is cut where it must be."""
+    joints, bodies, friction, v = pile(40, 0.5)
+    nil = np.zeros_like(joints.normal), np.zeros_like(v)
+    kernel: Any = numba.njit(_at_most)
+    assert kernel(nil[0], joints, bodies, friction, v, nil[1], most) == most
+
+
+def _halfway(joints: Joints, before: Index, began: Joints) -> tuple[Vector, Vector, Vector, Vector]:
+    """Normals and both arms at mid-step, and how far normals turn from there."""
+    middle, turn = halfway(joints, before, began)
+    return middle.normal, middle.arm_first, middle.arm_second, turn
+
+
+def test_at_mid_step_arms_are_means_and_normals_are_turned_back_by_half() -> None:
+    """One contact whose normal has turned by 0.02, and seven that are new."""
+    (joints, *_), (began, *_) = pile(2, 0.5), pile(2, 0.5)
+    turn = 0.02
+    joints.normal[0] = [np.sin(turn), 0.0, np.cos(turn)]
+    joints.arm_first[:] += [0.3, 0.0, 0.1]
+    joints.arm_second[:] -= [0.0, 0.2, 0.4]
+    kernel: Any = numba.njit(_halfway)
+    normal, one, two, turned = kernel(joints, np.array([0, *7 * [-1]]), began)
+    assert turned[0] == pytest.approx([0.0, 0.5 * np.sin(turn), 0.0])
+    assert normal[0] == pytest.approx([np.sin(turn / 2), 0.0, np.cos(turn / 2)], abs=1e-4)
+    assert one[0] == pytest.approx(began.arm_first[0] + [0.15, 0.0, 0.05])
+    assert two[0] == pytest.approx(began.arm_second[0] - [0.0, 0.1, 0.2])
+    assert not turned[1:].any()
+    assert (normal[1:] == joints.normal[1:]).all()
+    assert (one[1:] == joints.arm_first[1:]).all()
