@@ -12,6 +12,7 @@ import pytest
 
 from bench.mutation.collected_tests import Collected, forked
 from bench.mutation.covering_tests import Record, digest
+from bench.mutation.engine_mutants import _key
 from bench.mutation.framework_mutants import LONGEST, Asked, folders
 from bench.mutation.framework_sites import (
     EVERY,
@@ -22,7 +23,7 @@ from bench.mutation.framework_sites import (
     turnable,
     uniform,
 )
-from bench.mutation.mutants import ROOT
+from bench.mutation.mutants import ROOT, all_places
 from vv.gate import judgement
 
 FILE = "vv/gate/judgement.py"
@@ -59,7 +60,9 @@ def test_every_layer_but_the_engines_has_mutants() -> None:
 
 def test_a_mutant_that_is_known_as_equivalent_is_there_with_a_reason_and_is_not_drawn() -> None:
     files = {key.partition(" ")[0] for key in equivalents()}
-    assert equivalents().keys() <= {one.key for file in files for one in turnable(file)}
+    there = {one.key for file in files for one in turnable(file)}
+    there |= {_key(one) for one in all_places(sorted(f for f in files if "/engines/" in f))}
+    assert equivalents().keys() <= there
     assert not equivalents().keys() & {one.key for one in uniform("*", EVERY, 1)}
     assert all(why.strip() for why in equivalents().values())
 
