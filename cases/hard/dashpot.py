@@ -169,7 +169,8 @@ def _time_bounds(unit: float) -> Exact:
 LIGHT = 0.05  # of critical damping: with less, the bound is that at this value
 # of the speed: more than rounding errors, and less than a force changes in an interval
 STILL = 1e-10
-RUNGS = {Level.QUICK: STEPS[:3:2], Level.DEFAULT: STEPS, Level.PAPER: STEPS}
+COARSE = STEPS[:3:2]
+RUNGS = {Level.QUICK: COARSE, Level.DEFAULT: (*COARSE, STEPS[3]), Level.PAPER: STEPS}
 FORMULA = (
     "m u'' = -max(0, kn u + c u'), c = 2 z sqrt(kn m); e = exp(-z (pi - 2 asin z)/sqrt(1 - z^2)), "
     "tc = (pi - 2 asin z)/sqrt(kn/m (1 - z^2))"

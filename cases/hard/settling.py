@@ -89,7 +89,8 @@ def _count_departures(z: Vector) -> int:
 
 
 RUNGS = tuple(Knobs(dt=dt) for dt in (1e-4, 5e-5, 2.5e-5, 1.25e-5))
-LEVELS = {Level.QUICK: RUNGS[:3:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+COARSE = RUNGS[:3:2]
+LEVELS = {Level.QUICK: COARSE, Level.DEFAULT: (*COARSE, RUNGS[3]), Level.PAPER: RUNGS}
 PATH = {
     Method.EXACT: Tolerance(
         5e-13, "rounding errors of sixty events, each of which shifts the next"
