@@ -78,7 +78,10 @@ class Formulation:
 DEFAULT = Formulation(
     tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS, shaking_at=0.5
 )
-"""Friction iterated to convergence within the open-close iteration, mean shaking."""
+"""Friction iterated to convergence within the open-close iteration, mean shaking.
+
+A step is divided where the slide of a single block stops.
+"""
 
 PUBLISHED = Formulation(
     tolerance=math.inf, iterations=6, terms=1, turns=0, follow=0, settling=2.0,

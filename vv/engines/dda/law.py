@@ -92,3 +92,16 @@ def return_mapping(
     if length == 0.0 or ks * dot(toward, trial) <= cap * length:
         return STICK, NOWHERE
     return SLIDE, add_scaled(NOWHERE, 1.0 / length, toward)
+
+
+@inlined
+def share_to_stop(start: float, slip: float) -> float:
+    """The fraction of a step after which a slide stops, 1 if it goes on.
+
+    start: its velocity at the beginning times the step [m]; slip: what it covers [m]. Velocity at
+    the end is 2 slip - start over the step; a slide that is then reversed slowed down evenly. Where
+    the contact sticks, this is a first guess.
+    """
+    if start > 0.0 and slip < 0.5 * start:
+        return 0.5 * start / (start - slip)
+    return 1.0

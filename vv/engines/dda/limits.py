@@ -3,6 +3,9 @@
 CUTS = 32
 """The largest number of parts of a step; parts that do not converge are kept, and counted."""
 
+SOON = 1e-3
+"""A step is not divided where a slide stops within this fraction of it from either end."""
+
 GAIN = 4.0
 """A run has diverged if kinetic and elastic energy exceed this many times all energy put in.
 

@@ -1,4 +1,4 @@
-"""The inertia terms of a step, and the velocities after it; kernels.
+"""The inertia terms of a step, the velocities after it, and when a slide stops in it; kernels.
 
 A rule holds alpha_m, alpha_f, beta and gamma, see `Stepping`. A step is solved for the unknowns u =
 (1 - alpha_f) d at the time at which forces are evaluated; d are those at its end.
@@ -6,9 +6,14 @@ A rule holds alpha_m, alpha_f, beta and gamma, see `Stepping`. A step is solved 
 
 from __future__ import annotations
 
-from vv.engines.dda.general.bodies import Bodies, times_blocks
-from vv.engines.kernels.arrays import numbers, square_of
+from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.bodies import Bodies, Motion, times_blocks
+from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.law import SLIDE, share_to_stop
+from vv.engines.kernels.arrays import numbers, smaller, square_of
 from vv.engines.kernels.compiled import called, lent
+from vv.engines.kernels.drive import Drive, Starts, one_of, rate
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot
 from vv.scene import Vector
 
 Rule = tuple[float, float, float, float]
@@ -57,3 +62,36 @@ def update_velocities(
         kept = (1.0 - ahead) * velocity[a] + step * (1.0 - 0.5 * ahead) * before
         velocity[a] = ahead / step * d[a] + kept
     return lost
+
+
+@called
+def part_to_stop(
+    touch: Touch,
+    state: Index,
+    direction: Vector,
+    motion: Motion,
+    relative: Vector,
+    base: Drive,
+    starts: Starts,
+    time: float,
+    part: float,
+) -> float:
+    """The fraction of a part of a step after which the first slide stops that it begins with, or 1.
+
+    state (c,), direction (c, 3): of the contacts at its beginning; relative (c, 3): their relative
+    displacements [m] in it; time [s]: at its beginning, negative while walls are at rest.
+    """
+    share = 1.0
+    for k in range(len(state)):
+        if state[k] == SLIDE:
+            along = at(direction, k)
+            speed = NOWHERE
+            for m in range(touch.columns[k]):
+                speed = add_scaled(
+                    speed, motion.velocity[touch.column[k, m]], at(touch.field[k], m)
+                )
+            if touch.wall[k] >= 0 and time >= 0.0:
+                speed = add_scaled(speed, -1.0, rate(one_of(base, starts, touch.wall[k]), time))
+            slip = dot(at(relative, k), along)
+            share = smaller(share, share_to_stop(part * dot(speed, along), slip))
+    return share

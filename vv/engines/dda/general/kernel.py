@@ -40,7 +40,7 @@ from vv.engines.dda.general.energy import (
     check_momentum,
     store_energies,
 )  # fmt: skip
-from vv.engines.dda.general.inertia import Rule, inertia_terms, update_velocities
+from vv.engines.dda.general.inertia import Rule, inertia_terms, part_to_stop, update_velocities
 from vv.engines.dda.general.iterate import iterate
 from vv.engines.dda.general.multipliers import (
     add_multiplier_energies,
@@ -49,7 +49,7 @@ from vv.engines.dda.general.multipliers import (
 )
 from vv.engines.dda.general.rows import diverged, fill_forces, write_row
 from vv.engines.dda.general.turning import rotational_loads
-from vv.engines.dda.limits import CUTS, GAIN
+from vv.engines.dda.limits import CUTS, GAIN, SOON
 from vv.engines.dda.stepping import HALF_LEAP, IMPLICIT
 from vv.engines.kernels.arrays import (
     clear,
@@ -151,6 +151,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     # for generalised alpha, the first step must end with the acceleration at its end
     shaken_at = shaking_at if rule[1] == 0.0 else 1.0
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
+    locates = len(bodies.mass) == 1 and multipliers == 0 and rule[1] == 0.0 and tolerance < np.inf
     ledger, worst, done = zero_numbers(TERMS), zero_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
     if multipliers > 0:  # no energy in springs: allow for rounding
@@ -167,7 +168,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
 
     for row in range(len(path)):
         for _ in range((stride if row else 0) + (settling if row == 0 else 0)):
-            begin, part = 0.0, dt
+            begin, part, uneven = 0.0, dt, False
             while begin < dt:
                 shake, share = NOWHERE, 1.0 - now[1]
                 if done >= 0:
@@ -201,6 +202,15 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     part *= 0.5
                     worst[CUT] += 1
                     continue
+                if locates:
+                    time = done * dt + begin
+                    to_stop = part_to_stop(
+                        touch, state, direction, motion, relative, base, starts, time, part
+                    )
+                    if to_stop * part > SOON * dt and to_stop < 1.0 - SOON:
+                        restore_states(touch, state, push, direction)
+                        part, uneven = to_stop * part, True
+                        continue
                 worst[FAILED] += 0 if ended else 1
                 over = 1.0 / share
                 if multipliers == 0:
@@ -257,7 +267,9 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 ledger[FOUND] += anew
                 ledger[CREATED] += larger(0.0, anew)
                 begin += part
-                if begin + part > dt * (1.0 + 1e-12):
+                if uneven:
+                    part, uneven = dt - begin, False
+                if begin + part > dt * (1.0 + 1e-12) or part < SOON * SOON * dt:
                     begin = dt
             done += 1
             if done == 1:

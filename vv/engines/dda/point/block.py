@@ -38,10 +38,14 @@ class Friction(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """The motion of the wall and the shaking; a motion that is absent has no sines."""
+    """The motion of the wall and the shaking; a motion that is absent has no sines.
+
+    most: an upper bound of the acceleration of the wall [m/s2].
+    """
 
     base: Drive
     shaking: Drive
+    most: float
 
 
 class Block(NamedTuple):

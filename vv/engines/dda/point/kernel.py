@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.dda.law import OPEN, SLIDE, STICK
-from vv.engines.dda.limits import CUTS, GAIN
+from vv.engines.dda.law import OPEN, SLIDE, STICK, share_to_stop
+from vv.engines.dda.limits import CUTS, GAIN, SOON
 from vv.engines.dda.point.block import Block, Contact, Drives, Friction, Motion, Rule, Steps
 from vv.engines.dda.point.energies import (
     CARRIED,
@@ -30,7 +30,7 @@ from vv.engines.dda.point.energies import (
 from vv.engines.dda.point.iteration import Posed, Solved, equations_of, iterate
 from vv.engines.kernels.arrays import zero_numbers
 from vv.engines.kernels.compiled import compiled, inlined
-from vv.engines.kernels.drive import travel, value
+from vv.engines.kernels.drive import rate, travel, value
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, dot
 from vv.scene import Vector
 
@@ -115,19 +115,32 @@ def step_block(
     spent: Vector,
     worst: Vector,
 ) -> tuple[Motion, Contact]:
-    """The motion and contact after a step, which is divided where iterations do not converge."""
-    begin, part = 0.0, dt
+    """The motion and contact after a step, which is divided where iterations do not converge.
+
+    It is also divided where a slide stops, so that friction does not act on beyond that. It is one
+    function since a part is begun anew from two places.
+    """
+    begin, part, uneven = 0.0, dt, False
     while begin < dt:
-        wall, shake = wall_and_shaking(block.drives, done, done * dt + begin, part, rule.shaking_at)
+        time = done * dt + begin
+        wall, shake = wall_and_shaking(block.drives, done, time, part, rule.shaking_at)
         given = equations_of(block, motion, part, wall, shake)
         found = iterate(given, contact, rule, block, friction, worst)
         if not found.ended and part > dt / CUTS:
             part = 0.5 * part
             worst[CUT] += 1.0
             continue
-        worst[FAILED] += 0.0 if found.ended else 1.0
         d = add_scaled(found.d_t, found.d_n, block.normal)
         new = add_scaled(add_scaled(NOWHERE, 2.0 / part, d), -1.0, motion.v)
+        if friction is not None and contact.state == SLIDE and rule.tolerance < np.inf:
+            ahead = part * dot(new, contact.direction)
+            ahead -= most_of_wall(block.drives, part, given.moved_t, contact.direction)
+            if ahead < 0.0:  # it may slide back at the end
+                share = part_to_stop(block.drives, done, time, part, motion, contact, found.slip)
+                if share * part > SOON * dt and share < 1.0 - SOON:
+                    part, uneven = share * part, True
+                    continue
+        worst[FAILED] += 0.0 if found.ended else 1.0
         contact, pull, held = add_contact_energies(
             given, found, rule.hold, block, friction, spent, worst
         )
@@ -138,9 +151,42 @@ def step_block(
         add_works(spent, block, rule.dd, d, new, shake)
         motion = displaced_motion(motion, d, add_scaled(NOWHERE, rule.dd, new), wall)
         begin += part
-        if begin + part > dt * (1.0 + 1e-12):
+        if uneven:
+            part, uneven = dt - begin, False
+        if begin + part > dt * (1.0 + 1e-12) or part < SOON * SOON * dt:
             begin = dt
     return motion, contact
+
+
+@inlined
+def most_of_wall(drives: Drives | None, part: float, moved: Triple, direction: Triple) -> float:
+    """The most that the velocity of the wall may be at the end of a part, times the part [m].
+
+    moved: its displacement in the part [m], from which it differs by its acceleration.
+    """
+    if drives is None:
+        return 0.0
+    return dot(moved, direction) + 0.5 * part * part * drives.most
+
+
+@inlined
+def part_to_stop(
+    drives: Drives | None,
+    done: int,
+    time: float,
+    part: float,
+    motion: Motion,
+    contact: Contact,
+    slip: Triple,
+) -> float:
+    """The fraction of a part of a step [s] after which the slide stops that it begins with, or 1.
+
+    time: at its beginning [s]; contact: then; slip: along the wall in this part [m].
+    """
+    speed = motion.v
+    if drives is not None and done >= 0:
+        speed = add_scaled(speed, -1.0, rate(drives.base, time))
+    return share_to_stop(part * dot(speed, contact.direction), dot(slip, contact.direction))
 
 
 @inlined

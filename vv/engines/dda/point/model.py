@@ -61,7 +61,9 @@ class Sliding:
         shaking, drives = drive(scene.shaking or NO_MOTION), None
         if wall.motion is not None or scene.shaking is not None:
             along_free = shaking._replace(direction=shaking.direction @ hold)
-            drives = Drives(drive(wall.motion or NO_MOTION), along_free)
+            base = drive(wall.motion or NO_MOTION)
+            most = float(np.linalg.norm(base.direction, axis=1) @ base.omega**2)
+            drives = Drives(base, along_free, most)
         gravity, load = hold @ scene.gravity, hold @ block.load
         told = Block(
             block.mass, self.points, law.kn, _triple(gravity), _triple(load),
