@@ -118,7 +118,7 @@ def test_a_folder_named_like_a_page_is_no_page(tmp_path: Path) -> None:
 def test_pages_of_some_codes_are_refused_and_a_picture_takes_one_variant(tiny: Tiny) -> None:
     done = tiny.vv("docs", "--codes", "fake", "--output", "out")
     assert done.returncode == 64
-    assert "only --picture takes it" in done.stderr
+    assert "it applies to --picture only" in done.stderr
     many = tiny.vv("docs", "fall", "--picture", "a.svg")
     assert many.returncode == 64
     assert "takes one CASE:VARIANT, not 2" in many.stderr

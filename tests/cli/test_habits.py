@@ -74,7 +74,7 @@ def test_more_words_than_anybody_types_are_refused_at_once(tiny: Tiny, option: s
     more = [words[option]] if option == "name" else [option, words[option]]
     done = tiny.vv("run", "fall", *(MOST + 1) * more)
     assert (done.returncode, done.stderr.count("\n")) == (Bit.USAGE, 1)
-    assert f"at most {MOST} are taken" in done.stderr
+    assert f"at most {MOST} are accepted" in done.stderr
 
 
 def test_a_gallery_is_not_written_over_the_cases_of_a_project(tiny: Tiny) -> None:
@@ -83,7 +83,7 @@ def test_a_gallery_is_not_written_over_the_cases_of_a_project(tiny: Tiny) -> Non
     assert done.returncode == Bit.USAGE
     assert "is not a gallery page" in done.stderr
     assert sorted(path.name for path in (tiny.root / "cases").iterdir()) == own
-    assert "only --picture takes it" in tiny.vv("docs", "--codes", "fake").stderr
+    assert "it applies to --picture only" in tiny.vv("docs", "--codes", "fake").stderr
 
 
 def test_a_commit_without_results_is_told_how_to_make_them(tiny: Tiny) -> None:

@@ -37,4 +37,4 @@ def test_one_file_of_a_selection(tiny: Tiny) -> None:
     assert done.stdout == f"{one}\n"
     assert "<style>" in one.read_text()
     wrong = tiny.vv("report", "--single", "other")
-    assert (wrong.returncode, "holds no such case" in wrong.stderr) == (Bit.USAGE, True)
+    assert (wrong.returncode, "has no such case" in wrong.stderr) == (Bit.USAGE, True)

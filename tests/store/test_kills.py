@@ -77,7 +77,7 @@ def test_terminating_an_invocation_ends_a_worker_that_hears_nothing(tiny: Tiny) 
     time.sleep(1.0)  # for the worker to go deaf
     process.send_signal(signal.SIGTERM)
     _, said = process.communicate(timeout=20)
-    assert (process.returncode, said) == (130, b"vv: interrupted; what has finished is kept\n")
+    assert (process.returncode, said) == (130, b"vv: interrupted; finished results are stored\n")
     _wait_until(lambda: not _processes(marker))
 
 

@@ -45,7 +45,7 @@ app = typer.Typer(
     rich_markup_mode="markdown",
 )
 CRASHED = 8  # the exit bit of a crash, vv.records.finding.Bit.CRASH
-INTERRUPTED = 130  # what shells use for a program ended by Ctrl-C
+INTERRUPTED = 130  # the exit status that shells use for a program ended by Ctrl-C
 GROUPS: dict[str, dict[str, Callable[..., None]]] = {
     "Run": {"run": run_command.run, "speed": speed_command.speed},
     "Look": {
@@ -128,7 +128,7 @@ def main() -> None:
     except (typer.Abort, KeyboardInterrupt):
         code = INTERRUPTED
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the reader left; nothing more to say
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the reader of the output has gone
         code = 0
     except OSError as error:
         code = terminal.print_error(f"cannot use {_place(error)}: {error.strerror}")
@@ -137,7 +137,7 @@ def main() -> None:
             code = terminal.print_error(*message.splitlines())
         else:
             traceback.print_exc()
-            code = CRASHED  # and not 1, with which Python ends and which would say accuracy
-    if code == INTERRUPTED:  # which the option parser may have made of it
-        terminal.print_error("interrupted; what has finished is kept")
+            code = CRASHED  # not 1, the status of Python, which would mean accuracy
+    if code == INTERRUPTED:  # the option parser returns it too
+        terminal.print_error("interrupted; finished results are stored")
     sys.exit(code or 0)

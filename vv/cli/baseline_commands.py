@@ -53,7 +53,7 @@ def accept(
 
 
 def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
-    """Run the jobs whose results are to be kept, and print the summary."""
+    """Run the jobs whose results are to be stored, and print the summary."""
     from vv.cli import invocation
     from vv.run.limits import Limits, Timing
 
@@ -121,7 +121,7 @@ def record(
 
 
 def _without_results(manifest: Manifest) -> dict[str, RecordedFile]:
-    """What a recorded file says of each external code, before any result."""
+    """The head of a recorded file for each external code, without results."""
     from vv.records.recorded import RecordedFile
 
     made = manifest.provenance
@@ -151,7 +151,7 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
         raise UsageError(f"accept takes the name of one case, not '{selection}'")
     plans = []
     for level in levels:
-        with contextlib.suppress(EmptyPlanError):  # they may all begin at a higher one
+        with contextlib.suppress(EmptyPlanError):  # all variants may begin at a higher level
             plans.append(options.plan_of(project, names, Options(level, options.codes(codes))))
     if not plans:
         raise UsageError(f"no scheme of {', '.join(names)} runs at level {levels[-1].value}")
@@ -160,9 +160,7 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
 
 def _require_own_cases(project: Project) -> None:
     if project.bundled:
-        raise UsageError(
-            "the cases that came with vv cannot be written to; work in a project of your own"
-        )
+        raise UsageError("cannot change the cases that came with vv; work in a project of your own")
 
 
 def _acceptance(manifest: Manifest, reason: str) -> Acceptance:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from vv.case import Case
     from vv.output.gallery.case_page import Answers
 
-DRAWN = 4  # scenes of a case; more would tell nothing new
+DRAWN = 4  # the most scenes of a case
 Files = dict[Path, str]  # place in the gallery -> text
 
 
@@ -44,11 +44,11 @@ def docs(
         _picture(project, selection or [], options.codes(codes), picture)
         return
     if codes != "*":
-        raise UsageError(f"--codes {codes}: only --picture takes it; the pages are of all codes")
+        raise UsageError(f"--codes {codes}: it applies to --picture only; pages describe all codes")
     old = _pages_of_cases(output)
     names = _cases(project, selection or ["*"])
     files = {**case_pages(project, names), **({} if selection else code_pages(project))}
-    for page in () if selection else old:  # some are of cases that are no more
+    for page in () if selection else old:  # some belong to cases that no longer exist
         page.unlink()
     for place, text in files.items():
         path = output / place

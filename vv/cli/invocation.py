@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from vv.records.job_record import Record
     from vv.run.limits import Limits
 
-LATER = "vv report"  # what writes the report where a command does not
+LATER = "vv report"  # the command that writes the report
 
 
 def reuse_or_carry_out(
@@ -42,7 +42,7 @@ def reuse_or_carry_out(
         _note_unchanged(known.name)
         return reuse.of_this_commit(project, store, before, known, _command())
     manifest = carry_out_with_progress(project, make_plan(), limits)
-    if _identity(project, asked, limits) == before:  # nobody edited anything meanwhile
+    if _identity(project, asked, limits) == before:  # no file was edited meanwhile
         reuse.remember(store, before, manifest)
     return manifest
 
@@ -50,7 +50,7 @@ def reuse_or_carry_out(
 def earlier_output(
     project: Project, asked: tuple[object, ...], limits: Limits, required: tuple[str, ...]
 ) -> PrintedOutput | None:
-    """What the same call printed at its end, if nothing has changed since; else None."""
+    """The output of the same call, if nothing has changed since; else None."""
     from vv.run import reuse
 
     if not _may_reuse(limits):
@@ -66,7 +66,7 @@ def earlier_output(
 def keep_output(
     project: Project, asked: tuple[object, ...], limits: Limits, name: str, printed: PrintedOutput
 ) -> None:
-    """Keep what a call printed at its end, so that the same call can print it again."""
+    """Store the final output of a call, so that the same call can print it again."""
     from vv.run import reuse
 
     if _may_reuse(limits):
@@ -104,7 +104,7 @@ def carry_out_with_progress(
 
 
 def _command() -> list[str]:
-    """The command line, as a manifest states it."""
+    """The command line in the form of a manifest."""
     return ["vv", *sys.argv[1:]]
 
 
@@ -123,7 +123,7 @@ def write_report(project: Project, manifest: Manifest) -> Path:
 
 
 def report_folder(project: Project) -> Path:
-    """Where commands that run cases write the report."""
+    """The folder in which commands that run cases write the report."""
     return project.data() / "report"
 
 
@@ -151,7 +151,7 @@ def report_writer(project: Project) -> ModuleType:
 
 
 def report_extras(project: Project, manifest: Manifest) -> Beside:
-    """What a report shows beside the records: the papers, and the input of each code."""
+    """The data that a report shows beside the records: papers, and the inputs of codes."""
     from reports.beside import Beside
     from vv.insight.rows_of_run import rows_of_run
     from vv.plan.exact_numbers import with_exact_numbers

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 EXECUTOR = re.compile(r"dask://[^/\s:]+:\d+")
 PROGRAM = re.compile(r"(?P<file>.+\.toml)(?P<scheme>/[^/]+)?")
-MOST = 200  # names, --set or --rung in one call
-TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
+MOST = 200  # the most names, --set or --rung in one call
+TIMEOUT = 300.0  # default limit for a job [s]; its kernels may have to be compiled
 
 
 def completed_cases(incomplete: str) -> list[str]:
@@ -128,7 +128,7 @@ def plan_of(project: Project, selection: list[str], options: Options, keyword: s
     """The plan of a selection; without a selection, every case.
 
     keyword: an expression that the names of jobs, FAMILY CASE:VARIANT CODE/SCHEME, must match.
-    Raises UsageError if none matches, and for more words than anybody types.
+    Raises UsageError if none matches, and for too many names or options.
     """
     from vv.plan.expression import matcher
     from vv.plan.plan import with_jobs_kept
@@ -140,7 +140,7 @@ def plan_of(project: Project, selection: list[str], options: Options, keyword: s
         ("--rung", options.rungs),
     ):
         if len(words) > MOST:
-            raise UsageError(f"{len(words)} times {what}; at most {MOST} are taken")
+            raise UsageError(f"{len(words)} times {what}; at most {MOST} are accepted")
     if not keyword:
         return make_plan(project, selection or ["*"], options)
     fits = matcher(keyword)

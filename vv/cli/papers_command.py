@@ -14,7 +14,7 @@ from vv.output import terminal
 from vv.plan.project import Project, find
 from vv.records.accepted import AcceptedResult
 
-PAST = 20  # invocations in which newer results are looked for
+PAST = 20  # the most past runs in which newer results are searched
 
 
 def papers(
@@ -52,7 +52,7 @@ def papers(
 
 
 def _results(project: Project, accepted: bool, case: str) -> Mapping[str, AcceptedResult]:
-    """The accepted results of a case and, unless only these are wanted, newer ones."""
+    """The accepted results of a case and, unless excluded, newer ones."""
     from vv.gate.all_checks import baseline_of
 
     baseline = baseline_of(project, case)

@@ -17,7 +17,7 @@ from vv.plan.project import Project, find
 if TYPE_CHECKING:
     from vv.case import Case
 
-PAST = 20  # invocations in which a last result is looked for
+PAST = 20  # the most past runs in which a last result is searched
 
 
 def list_cases(
@@ -69,7 +69,7 @@ def _all_variants(case: Case) -> list[str]:
 def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[str, list[str]]:
     """Case -> its variants whose names or descriptions match an expression.
 
-    If no variant matches, the title of the case is tried, which then selects all of them. Raises
+    If no variant matches but the title of the case does, all its variants are selected. Raises
     UsageError if nothing matches.
     """
     from vv.plan.expression import matcher
@@ -103,7 +103,7 @@ def list_codes(
         list[str] | None, typer.Argument(metavar="CODE", help="Only these codes; globs allowed.")
     ] = None,
 ) -> None:
-    """List codes: found or not, version, path, schemes, how to install what is missing."""
+    """List codes: whether each is installed, version, path, schemes, how to install it."""
     from vv.output.listing import print_codes
     from vv.plan.selection import choose_schemes, named_adapters
 

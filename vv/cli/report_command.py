@@ -50,7 +50,7 @@ def report(
     project = find()
     store = Store(project.data())
     manifest = _manifest(store, run_name)
-    say = terminal.note if csv else terminal.say  # the table may be asked for on standard output
+    say = terminal.note if csv else terminal.say  # the table may go to standard output
     path = _written(project, store, manifest, output, options.split(single))
     say(str(path))
     if csv:
@@ -93,14 +93,14 @@ def _written(
         return front
     cases = [name for name in manifest.cases if any(fnmatch.fnmatch(name, p) for p in patterns)]
     if not cases:
-        raise UsageError(f"--single {','.join(patterns)}: the run holds no such case")
+        raise UsageError(f"--single {','.join(patterns)}: the run has no such case")
     output = output or project.data() / f"report{PAGE}"
     file: Path = html.build_single(manifest, store, cases, output, more)
     return file
 
 
 def _folder(output: Path) -> Path:
-    """A folder that a user named; raises UsageError for one in which something else lies."""
+    """The folder that a user named; raises UsageError if it contains other files."""
     if output.suffix == PAGE:
         raise UsageError(f"--output {output}: a report is a folder; `--single '*'` makes one file")
     if not output.resolve().parent.is_dir():

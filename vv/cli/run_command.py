@@ -140,7 +140,7 @@ def _limits(call: RunCall) -> Limits:
 def _run_once(
     project: Project, plan: Plan, call: RunCall, limits: Limits, required: tuple[str, ...]
 ) -> PrintedOutput:
-    """Answer a call whose jobs depend on past runs, or on what fails first."""
+    """Run a call whose jobs depend on past runs or on the first failure."""
     from vv.cli import invocation
     from vv.gate.first_failure import is_failure
 
@@ -176,7 +176,7 @@ def _reuse_or_run(
 def _conclude(
     project: Project, manifest: Manifest, call: RunCall, required: tuple[str, ...]
 ) -> PrintedOutput:
-    """Write the records and the report; returns what is to be printed of them."""
+    """Write the records and the report; returns the output."""
     from vv.cli import invocation
     from vv.gate.judgement import judgement
     from vv.output import result_lines
@@ -203,7 +203,7 @@ def _conclude(
 
 
 def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
-    """Say of each job whether it would run or is stored."""
+    """List the jobs, with whether each would run or is stored."""
     from vv.output.listing import print_jobs
     from vv.plan import keys
 

@@ -100,7 +100,7 @@ def _timed_part(plan: Plan, call: SpeedCall) -> Plan:
 
 
 def _scale(codes: str, largest: int, json_file: Path | None) -> None:
-    """Measure how costs grow with the number of spheres; each size is printed once measured."""
+    """Measure how costs grow with the number of spheres; print each size when measured."""
     from vv.plan.selection import choose_schemes, named_adapters
     from vv.records import codec
     from vv.scaling import scaling_table
@@ -127,7 +127,7 @@ def _scale(codes: str, largest: int, json_file: Path | None) -> None:
 
 
 def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path | None) -> None:
-    """Print the cost of an error, and write it to a file if one is named."""
+    """Print the costs of errors, and write them to a file if one is named."""
     from vv.insight.accuracy_cost import TARGETS, comparisons
     from vv.insight.effort import efforts, untimed
     from vv.output import speed_text

@@ -15,7 +15,7 @@ from vv.plan.templates import Language
 
 
 class Kind(enum.Enum):
-    """What a template can be written for."""
+    """The kinds of templates."""
 
     CODE = "code"
     CASE = "case"

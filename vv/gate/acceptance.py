@@ -64,7 +64,7 @@ def accepted(
 def _accepted_result(
     before: AcceptedResult | None, record: Record, number: str, external: Collection[str]
 ) -> AcceptedResult:
-    """The accepted result if the record is still within its band, else that of the record."""
+    """The accepted result if the record is within its band, else the result of the record."""
     new = result_of(record, number)
     if before is None:
         return new

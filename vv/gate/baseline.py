@@ -1,4 +1,4 @@
-"""Accepted results: how they are kept and read.
+"""Reads and writes accepted results.
 
 One file per case, `CASE.json`: sorted, one result a line, so that a change reads well in review.
 A result is named by variant, code/scheme and knobs; of each quantity it holds a few figures of
@@ -33,12 +33,12 @@ def read(folder: Path, case: str) -> Baseline | None:
 
 
 def name_of(record: Record) -> str:
-    """What a record's result is called in a baseline."""
+    """The name of a record's result in a baseline."""
     return f"{record.variant} {record.label} {rung(record)}".rstrip()
 
 
 def result_of(record: Record, by: str) -> AcceptedResult:
-    """What a baseline keeps of a record: figures, scale and error of each quantity."""
+    """The accepted data of a record: figures, scale and error of each quantity."""
     kept = {
         one.name: AcceptedQuantity(
             _rounded(one.error),

@@ -23,7 +23,7 @@ from vv.records.rungs import Key, ladder, orders
 WIDEST = 10.0  # largest over smallest error of a band: more than a decade says nothing
 BROADEST = 0.6  # width of a band of orders: it holds one of 0, 1 and 2 at most
 
-ELSEWHERE = 0.5  # by which an order may leave its band at other parameters than the case's own
+ELSEWHERE = 0.5  # how far an order may leave its band at parameters other than the case's own
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ class Disagreement:
             (quantity, self.quantity),
         )
         if not all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs):
-            return False  # nearly always, and a rung takes long to write out
+            return False  # the usual case; formatting a rung takes long
         if not (self.error or self.instead or record.modified):
             return False
         several = ((record.variant, self.variants), (rung(record), self.rungs))
@@ -161,13 +161,13 @@ def _turned(
         in_band = _has(record, known.instead, one.tolerance)
     if one.verdict is Verdict.PASS:
         if in_band and one.tolerance is not None and one.tolerance < high:
-            return one  # the band reaches to both sides
+            return one  # the band includes the tolerance, so that a pass is expected too
         if record.modified:
             return one  # how far two laws are apart depends on the parameters
         note = f"passes, though {known.reason}"
         return dataclasses.replace(one, verdict=Verdict.XPASS, note=note)
     if one.note:
-        return one  # nothing moves, or the like: worse than any disagreement
+        return one  # for example, nothing moves: worse than any disagreement
     if record.modified and not known.instead:  # bands were measured at the case's own parameters
         largest = known.elsewhere or max(LARGEST_TOLERANCE, high)
         in_band = one.error is not None and one.error <= largest

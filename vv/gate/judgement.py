@@ -18,7 +18,9 @@ from vv.records.reading import ran, rung
 from vv.scene import DISSIPATED
 
 RUN_BITS = Bit.CRASH | Bit.TIMEOUT | Bit.INCOMPLETE | Bit.USAGE
-STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a required one
+STATUS_BITS: Mapping[
+    Status, tuple[Bit, Bit]
+] = {  # bits for an optional code, and for a required one
     Status.RAN: (Bit(0), Bit(0)),
     Status.REFUSED: (Bit(0), Bit(0)),
     Status.NOT_INSTALLED: (Bit(0), Bit.INCOMPLETE),
@@ -34,10 +36,10 @@ OF_STATUS: Mapping[Status, Outcome] = {
     status: Outcome(status.value) for status in Status if status is not Status.RAN
 }
 OF_VERDICT = {verdict: Outcome(verdict.value) for verdict in Verdict}
-SPOILED = (Outcome.FAIL, Outcome.XPASS, Outcome.NOT_REPORTED)  # without a look at its ledger
+SPOILED = (Outcome.FAIL, Outcome.XPASS, Outcome.NOT_REPORTED)  # regardless of its ledger
 ALL = frozenset(Check)
 UNEXPLAINED = "energy that no term explains"
-LAWS = {  # a law of a ledger -> what is said of its breach, before the number
+LAWS = {  # a law of a ledger -> words for its violation, before the number
     UNEXPLAINED: "energy not conserved: unexplained",
     "energy created": "energy not conserved: created",
     **{f"negative {name}": f"energy not conserved: {name} gave" for name in DISSIPATED},
@@ -207,7 +209,7 @@ def outcome(record: Record) -> Outcome:
 
 
 def outcome_by(record: Record, quantities: Sequence[MeasuredQuantity]) -> Outcome:
-    """The outcome of a record, as `outcome`, if it had only these of its quantities."""
+    """The outcome of a record if it had only these of its quantities."""
     if not ran(record):
         return Outcome.BLOW_UP if blew_up(record) else OF_STATUS[record.status]
     worst = OF_VERDICT[_worst(quantities)] if quantities else Outcome.NOT_REPORTED
@@ -219,7 +221,7 @@ def outcome_by(record: Record, quantities: Sequence[MeasuredQuantity]) -> Outcom
 
 
 def _worst(quantities: Sequence[MeasuredQuantity]) -> Verdict:
-    """The worst verdict; ranks are compared only if verdicts differ, which is rare."""
+    """The worst verdict; ranks are compared only if verdicts differ, since they rarely do."""
     first = quantities[0].verdict
     if all(one.verdict is first for one in quantities):
         return first
@@ -232,7 +234,7 @@ def counted(records: Iterable[Record]) -> Counter[Outcome]:
 
 
 def breach_in_words(breach: Breach) -> str:
-    """A law that a ledger breaks, with the number and what is allowed."""
+    """A law that a ledger violates, with the value and the bound, in words."""
     law, seen, allowed = breach
     name, _, unit = law.removesuffix("]").partition(" [")
     told = LAWS.get(name, f"{name}:")
@@ -240,5 +242,5 @@ def breach_in_words(breach: Breach) -> str:
 
 
 def plain(value: float) -> str:
-    """A number to three digits, 1390 and not 1.39e+03."""
+    """A number to three digits, such as 1390 instead of 1.39e+03."""
     return f"{float(f'{value:.3g}'):g}"

@@ -39,7 +39,7 @@ def document(
 def _of_variants(
     every: Sequence[Effort], chosen: Callable[[Sequence[Effort]], list[tuple[str, Point]]]
 ) -> dict[str, list[dict[str, object]]]:
-    """CASE:VARIANT -> a value for each scheme that ran it, with its setting and cost."""
+    """CASE:VARIANT -> a value for each scheme that ran it, with setting and cost."""
     found = {}
     for case, variant in dict.fromkeys((e.case, e.variant) for e in every):
         here = [e for e in every if (e.case, e.variant) == (case, variant)]

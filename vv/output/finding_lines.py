@@ -17,8 +17,8 @@ from vv.records.reading import rung
 if TYPE_CHECKING:
     from vv.insight.diagnosis import Diagnosis
 
-SHOWN = 12  # lines of findings; the report and the files have all
-THAN = {  # how a change since the baseline is told
+SHOWN = 12  # the most lines of findings; the report and the files have all
+THAN = {  # the words for a change since the baseline
     Change.WORSE.value: "worse than accepted: ",
     Change.BETTER.value: "better than accepted: ",
     Change.MOVED.value: "moved since it was accepted: ",
@@ -32,14 +32,14 @@ Place = tuple[str, str, str, str]  # case, variant, scheme, knobs
 
 @dataclass(frozen=True)
 class Folded:
-    """A finding, and the number of others that say the same of the same scheme and variant."""
+    """A finding, and the number of similar ones on the same scheme and variant."""
 
     finding: Finding
     others: int
 
 
 def folded(findings: Iterable[Finding]) -> list[Folded]:
-    """Findings that differ only in their setting as one, the worst; sorted worst first."""
+    """The findings, sorted worst first; those that differ only in their setting are merged."""
     piles: dict[tuple[object, ...], list[Finding]] = {}
     for one in worst_first(findings):
         bare = one.kind == Change.NO_BASELINE.value
@@ -86,7 +86,7 @@ def _line(one: Folded) -> str:
 
 
 def since_accepted(found: Finding) -> str:
-    """Where a finding is, and its text; for a change, also the kind of change."""
+    """The place and the text of a finding; for a change, also the kind of change."""
     where = f"{found.where}: " if found.where else ""
     return f"{where}{THAN.get(found.kind, '')}{found.text}"
 
@@ -114,7 +114,7 @@ def rerun(
 
 
 def _settings_of(record: Record) -> Sequence[str]:
-    """Its parameters, where the user changed some: all, since any may be one of these."""
+    """The options --set for the parameters of a record; empty if the user changed none."""
     if not record.modified:
         return []
     return [word for n, value in record.parameters.items() for word in ("--set", f"{n}={value!r}")]

@@ -45,7 +45,9 @@ def print_cases(
     for case in cases:
         groups.setdefault(families[case.name], []).append(case)
     for number, (family, own) in enumerate(groups.items()):
-        if [case.name for case in own] != [family]:  # a case outside of any family is its own
+        if [case.name for case in own] != [
+            family
+        ]:  # a case outside any family is a family of its own
             say(*([""] if number else []), f"family {family}")
         for case in own:
             say(f"{case.name}  {case.title} [{case.source.doi or case.source.citation}]")
@@ -56,7 +58,7 @@ def print_cases(
 
 
 def print_codes(adapters: Sequence[Adapter]) -> None:
-    """Codes with version, place, schemes, and how to install those that are missing."""
+    """Print codes with version, place and schemes, and how to install missing ones."""
     for adapter in adapters:
         found = adapter.found()
         state = f"{found.version}  {found.path}" if found.installed else "not installed"
@@ -70,7 +72,7 @@ def print_codes(adapters: Sequence[Adapter]) -> None:
 
 
 def _methods(scheme: Scheme) -> Iterator[str]:
-    """The class of method of a scheme, and once each other class that it has in some scenes."""
+    """The classes of method of a scheme, with the terms for which it has another class."""
     yield scheme.method.value
     for method in dict.fromkeys(scheme.lowered.values()):
         terms = [term.value for term, other in scheme.lowered.items() if other is method]

@@ -12,7 +12,7 @@ from vv.output.wording import listed
 from vv.records.finding import Bit, Finding, bits, worst_first
 from vv.records.manifest import Manifest
 
-ROWS = 15  # of each table; the report has the rest
+ROWS = 15  # the most rows of a table; the report has the rest
 WORDS = {
     Bit.ACCURACY: "accuracy or regression",
     Bit.CONSERVATION: "conservation",
@@ -69,13 +69,13 @@ def _table(title: str, findings: Sequence[Finding]) -> list[str]:
 
 
 def _cell(text: str) -> str:
-    """A text without markup, pictures or links."""
+    """A text in which markup, pictures and links are escaped."""
     whole = " ".join(one_line(text).split()).replace("&", "&amp;")
     return whole.replace("|", "\\|").replace("<", "&lt;").replace("[", "\\[")
 
 
 def _counted_notices(findings: Sequence[Finding]) -> list[str]:
-    """Notices, merged where they say the same of one case."""
+    """The notices, merged if they say the same of one case."""
     piles: dict[tuple[str, str, str], int] = {}
     for f in findings:
         piles[f.case, f.kind, f.text] = piles.get((f.case, f.kind, f.text), 0) + 1
@@ -86,13 +86,13 @@ def _counted_notices(findings: Sequence[Finding]) -> list[str]:
 
 
 def _asked(findings: Iterable[Finding]) -> list[str]:
-    """The commands to type where results became better."""
+    """The commands that accept results which became better."""
     better = sorted({f.case for f in findings if f.improves})
     return [f'{case} became better: `vv accept {case} --reason "..."` keeps it' for case in better]
 
 
 def _recorded(manifest: Manifest) -> list[str]:
-    """The codes that are not installed and shown by recorded results, which do not count."""
+    """Notes on codes that are not installed: their recorded results do not count."""
     ages: dict[tuple[str, str], int] = {}
     for shown in manifest.recorded:
         ages[shown.code, shown.version] = shown.days
@@ -109,7 +109,7 @@ def _list(items: Sequence[str]) -> list[str]:
 
 
 def workflow_commands(findings: Iterable[Finding], files: Mapping[str, str]) -> list[str]:
-    """Lines that GitHub shows as annotations; at most ten of each level, as many as it takes.
+    """Lines that GitHub shows as annotations; it accepts at most ten of each level.
 
     files: case -> its file, from the root of the repository.
     """

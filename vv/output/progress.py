@@ -1,6 +1,6 @@
 """Shows the progress of an invocation: a bar on a terminal, plain lines elsewhere.
 
-Only jobs that run count; stored and unsupported ones are there at once.
+Only jobs that run count; stored and unsupported ones need no time.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from vv.records.reading import rung
 if TYPE_CHECKING:
     from rich.progress import Progress as Bars
 
-EVERY = 2.0  # s between two plain lines
+EVERY = 2.0  # seconds between two plain lines
 LOST = (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
-EARLY = 0.03  # of all runs: before that, the rest seemed to take hours that takes minutes
-EACH = 0.2  # s for a setting that is timed, with the start of its code
-NAMED = 6  # lost jobs that are named as they come; the end of a run tells them all
+EARLY = 0.03  # fraction of runs before which estimates of the remaining time are far too long
+EACH = 0.2  # expected seconds per timed setting, with the start of its code
+NAMED = 6  # failed jobs that are reported at once; all are listed at the end
 
 
 @contextlib.contextmanager
 def progress() -> Iterator[_Bar | _Lines]:
-    """What shows the progress: a bar on a terminal, plain lines elsewhere."""
+    """The display of progress: a bar on a terminal, plain lines elsewhere."""
     if not sys.stderr.isatty():
         yield _Lines()
         return
@@ -43,40 +43,40 @@ def progress() -> Iterator[_Bar | _Lines]:
 
 
 class _Bar:
-    """A bar that grows."""
+    """A progress bar."""
 
     def __init__(self, bars: Bars) -> None:
         self.bars = bars
 
     def begin(self, jobs: int) -> None:
-        """Show the bar if there is anything to run."""
+        """Show the bar if there are jobs to run."""
         if jobs:
             self.bars.add_task("", total=jobs)
 
     def done(self, record: Record) -> None:
-        """Let it grow by a run."""
+        """Advance the bar by one run."""
         for task in self.bars.task_ids:
             self.bars.update(task, advance=1, refresh=True)
 
     def timing(self, settings: int) -> None:
-        """Say that settings are timed, which fills no bar: no run is added."""
+        """Say that settings are timed; the bar does not advance."""
         self.bars.console.print(_timing(settings))
 
 
 class _Lines:
-    """A line now and then, and one for each of the first runs that fail."""
+    """Prints a line at intervals, and one for each of the first runs that fail."""
 
     def __init__(self) -> None:
         self.jobs = self.count = self.lost = 0
         self.begun = self.last = time.monotonic()
 
     def begin(self, jobs: int) -> None:
-        """Count from here."""
+        """Start the count and the clock."""
         self.jobs = jobs
         self.begun = self.last = time.monotonic()
 
     def done(self, record: Record) -> None:
-        """Count a run; print the progress if the last line is some time ago."""
+        """Count a run; print the progress if the last line was long enough ago."""
         if not self.jobs:
             return
         self.count += 1

@@ -19,7 +19,7 @@ from vv.records.manifest import Manifest
 from vv.records.outcomes import Outcome
 from vv.records.reading import tried
 
-INERT = ": inert, "  # as a plan words it in the note of a record
+INERT = ": inert, "  # the words of a plan in the note of a record
 
 if TYPE_CHECKING:
     from vv.insight.compare import Change
@@ -28,11 +28,11 @@ if TYPE_CHECKING:
 FAILED = frozenset(
     (Outcome.FAIL, Outcome.NOT_CONSERVED, Outcome.XPASS, Outcome.ERROR, Outcome.DIVERGED)
 )
-REASONS = 6  # why codes refused: the most frequent ones
+REASONS = 6  # the most reasons for refusals that are shown
 
 
 def print_refusals(records: Sequence[Record]) -> None:
-    """Print the schemes that refused everything, in one line; if all did, each reason once."""
+    """Print the schemes that refused everything in one line; if all did, also the reasons."""
     if any(map(tried, records)):
         if text := unsupported(records):
             note(f"{text}; `vv explain {_case(records)}` says why")
@@ -48,7 +48,7 @@ def print_refusals(records: Sequence[Record]) -> None:
 
 
 def _case(records: Iterable[Record]) -> str:
-    """The case of these records in the form that users type; the first that failed, if any did."""
+    """The case of these records as users type it; the first with a failure, if any."""
     given = list(records)
     failed = (record.case for record in given if outcome(record) in FAILED)
     return next(failed, given[0].case if given else "CASE")

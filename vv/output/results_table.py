@@ -17,9 +17,14 @@ from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import by_fineness, ran, tried
 from vv.records.rungs import row_of
 
-ROWS = 60  # of schemes on variants; where there are more, variants are counted
+ROWS = 60  # the most rows; if there are more, variants are counted instead
 CLAIMED = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}  # orders in dt
-COUNTED = ("FAIL", "reported only", "known disagreement", "pass")  # verdicts that are counted
+COUNTED = (
+    "FAIL",
+    "reported only",
+    "known disagreement",
+    "pass",
+)  # verdicts that are counted separately
 RANKS = (Outcome.XFAIL, Outcome.BLOW_UP, Outcome.PASS, Outcome.NO_REFERENCE)
 Place = tuple[str, str, str]  # case, variant, scheme
 
@@ -28,9 +33,9 @@ Place = tuple[str, str, str]  # case, variant, scheme
 class Row:
     """A scheme on a variant, at its finest setting that ran.
 
-    error, allowed: of the quantity closest to its bound, None if it judges none; order: observed
-    in dt; cpu: of the stepping loop [s], or of the whole process; timed: alone on a core; verdict:
-    as the gate judges it, of all settings.
+    error, allowed: of the quantity closest to its bound, None if none is judged; order: observed in
+    dt; cpu: of the stepping loop [s], or of the whole process; timed: whether the cost was measured
+    alone on a core; verdict: of the gate, over all settings.
     """
 
     place: Place
@@ -80,7 +85,7 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
 
 
 def _setting(knobs: Knobs) -> str:
-    """Knobs as people read them, dt=5e-05,kn=1e+09."""
+    """The knobs in short form, dt=5e-05,kn=1e+09."""
     named = (("dt", knobs.dt), ("kn", knobs.kn))
     return ",".join(f"{name}={value:g}" for name, value in named if value)
 
@@ -90,7 +95,7 @@ def _closeness(one: MeasuredQuantity) -> float:
 
 
 def _verdict(pile: Sequence[Record], findings: Sequence[Finding]) -> str:
-    """As the gate judges: red, else what it only reports, else the worst outcome in words."""
+    """The verdict of the gate: red, or reported only, or the worst outcome in words."""
     if any(one.red for one in findings):
         return "FAIL"
     if any(one.bit for one in findings):

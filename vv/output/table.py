@@ -48,7 +48,7 @@ def rows(record: Record) -> Iterator[Json]:
 
 
 def _of_record(record: Record | None) -> Json:
-    """The columns of a record; their names, where there is none."""
+    """The columns of a record; None for all, if there is no record."""
     r = record
     return {
         "case": r and r.case,
@@ -77,7 +77,7 @@ def _of_record(record: Record | None) -> Json:
 
 
 def _of_quantity(quantity: MeasuredQuantity | None) -> Json:
-    """The columns of a quantity; empty, where there is none. value: the final one of a series."""
+    """The columns of a quantity; None for all, if there is none. value: final, for a series."""
     q = quantity
     norm = q and q.norm
     return {
@@ -111,7 +111,7 @@ def _records_in(path: Path) -> Iterable[Record]:
 
 
 def _as_kept(data: Json) -> Json:
-    """A record of a document as a manifest has it: provenance and series stand elsewhere there."""
+    """A record of a JSON document in the form of a manifest, without provenance and series."""
     quantities = [
         {**one, "value": None, "reference": None} if one.get("kind") == "series" else one
         for one in data.get("quantities", ())

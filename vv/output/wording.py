@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from vv.records.outcomes import Outcome
 
-WORDS = {  # of one, and of many
+WORDS = {  # the phrases for one result and for several
     Outcome.REFUSED: ("not supported", "not supported"),
     Outcome.BLOW_UP: ("blow-up to show", "blow-ups to show"),
     Outcome.XFAIL: ("known disagreement", "known disagreements"),
@@ -33,6 +33,6 @@ def duration(seconds: float) -> str:
 
 
 def listed(counts: Mapping[Outcome, int]) -> str:
-    """Outcomes with their counts, judged ones first."""
+    """The outcomes with their counts in words, judged ones first."""
     ranked = sorted(counts, key=lambda one: (ORDER.get(one, len(ORDER)), one.value))
     return ", ".join(f"{counts[one]} {in_words(one, counts[one])}" for one in ranked)

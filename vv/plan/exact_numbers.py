@@ -1,4 +1,4 @@
-"""Stores the exact numbers that stand beside published ones, since some take long to compute."""
+"""Stores the exact numbers shown beside published ones, since some take long to compute."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from vv.plan.content import ProjectError, home, written
 SOURCES = Path(vv.__file__).resolve().parents[1]  # the folder that holds the vv which is running
 BUNDLE = SOURCES / "vv" / "_project"  # in an installed wheel
 OWN = BUNDLE if BUNDLE.is_dir() else SOURCES  # the content that came with this vv
-ADDED = ("adapters", "cases", "reference_solutions")  # packages that a project adds to
+ADDED = ("adapters", "cases", "reference_solutions")  # packages that a project may extend
 
 
 def activate(roots: Sequence[Path]) -> None:
@@ -91,7 +91,7 @@ def _module(dotted: str, file: Path) -> ModuleType:
 def raised_within(error: Exception) -> str:
     """The calls in cases, adapters and answers that led to an error, and what it says.
 
-    Empty where none did: then the fault is not in what a project writes.
+    Empty if there are none: then the fault is not in the files of a project.
     """
     frames = [f for f in traceback.extract_tb(error.__traceback__) if _in_content(Path(f.filename))]
     text = f"{type(error).__name__}: {' '.join(str(error).split())}"
@@ -99,13 +99,13 @@ def raised_within(error: Exception) -> str:
 
 
 def _in_content(file: Path) -> bool:
-    """Whether a file lies in a package of a project that is active."""
+    """Whether a file lies in a package of an active project."""
     active = [Path(entry) / name for entry in sys.path[:2] for name in CONTENT_PACKAGES]
     return any(folder in file.parents for folder in active)
 
 
 def _line(error: Exception, file: Path) -> str:
-    """Where in the file an import failed, as ':12'; empty if it did not get that far."""
+    """The line of a file at which its import failed, as ':12'; empty if it is unknown."""
     if isinstance(error, SyntaxError) and error.filename == str(file):
         return f":{error.lineno}"
     lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(file)]

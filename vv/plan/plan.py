@@ -1,4 +1,4 @@
-"""What an invocation is to do: its options, its jobs, and plans that are cut down or merged."""
+"""The plan of an invocation: its options and jobs; plans can be reduced and merged."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ class Options:
 class Job:
     """One ask to one scheme, with the case and variant that it comes from.
 
-    modified: whether parameters differ from their defaults. timed: whether timing sessions
-    measure it. settle(): the outcome, if it is known without running, or None. inert: which
-    changed parameters do not enter the exact answer, in words; empty if there are none.
+    modified: whether parameters differ from their defaults. timed: whether timing sessions measure
+    it. settle(): the outcome, if it is known without running, or None. inert: the changed
+    parameters that the exact answer does not depend on, in words; empty if none.
     """
 
     case: str
@@ -58,7 +58,7 @@ class Job:
         return self.settle()
 
     def settle_as(self, outcome: Run | None) -> None:
-        """Take over the outcome that another process has determined."""
+        """Set the outcome that another process has determined."""
         vars(self)["settled"] = outcome
 
     @property

@@ -31,7 +31,7 @@ from vv.plan.project import Project
 from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.plan.settings import parameters_with_settings
 
-PATIENCE = 20.0  # s of the processor for the answers of a variant at parameters of a user
+PATIENCE = 20.0  # limit of CPU time [s] for the references of a variant at changed parameters
 INERT = "inert, since the exact answer does not contain it: only numerical errors may change"
 
 
@@ -101,14 +101,13 @@ def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> 
     """The trial of a variant; raises UsageError for parameters that the case rejects.
 
     With parameters changed by the user, references are evaluated now, so that their errors are
-    found early, and within a limit of time: values far from any that the case was made for may
-    take for ever. With default parameters they are left until a run is measured, because some
-    are costly.
+    found early, and within a limit of time: values far from those of the case may take extremely
+    long. With default parameters they are left until a run is measured, because some are costly.
     """
     try:
         if dict(parameters) == case.defaults(variant):
             return case.declare(variant, parameters)
-        # what becomes nan is refused where data are made
+        # nan is refused where data are created
         with time_limit(PATIENCE), np.errstate(divide="ignore", invalid="ignore"):
             trial = case.declare(variant, parameters)
             _evaluate_references(trial.quantities)
@@ -129,7 +128,7 @@ def _changed(case: Case, variant: str, parameters: Mapping[str, float]) -> dict[
 
 
 def _with(changed: Mapping[str, str], error: Exception) -> str:
-    """Why parameters are rejected; led by the changed ones, unless the reason names one of them."""
+    """Why parameters are rejected, with the changed ones unless the reason names one."""
     divided = isinstance(error, ZeroDivisionError)
     why = "a formula of the case divides by zero" if divided else str(error)
     if not changed or any(re.search(rf"\b{re.escape(name)} = ", why) for name in changed):
@@ -185,7 +184,7 @@ def _changed_without_effect(posed: _Declared) -> str:
 def _known_outcome(
     posed: _Declared, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found
 ) -> Run | None:
-    """The outcome known without running, as `known_beforehand` or TOO_LONG says; else None."""
+    """The outcome if it is known without running, a refusal or TOO_LONG; else None."""
     run = known_beforehand(adapter, scheme, ask, found)
     why = why_too_long(posed.trial.study, ask.knobs, scheme.pace)
     return Run(Status.TOO_LONG, why) if why and run is None else run
@@ -194,7 +193,7 @@ def _known_outcome(
 def _known_outcome_on_map(
     posed: _Declared, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found
 ) -> Run | None:
-    """As `_known_outcome`, for a map: steps refused only because they are long are run."""
+    """As `_known_outcome`, but steps of a map that are refused only as too long are run."""
     run, own = _known_outcome(posed, adapter, scheme, ask, found), knobs_in_scene(posed.trial.study)
     if run is None or run.status is not Status.REFUSED or no_steps(ask) is not None:
         return run

@@ -12,7 +12,9 @@ from vv.case import Case
 from vv.codes.adapter import Adapter, Scheme
 from vv.plan.project import Project
 
-LONGEST = 200  # characters of a pattern: names are short, and thousands of stars take minutes
+LONGEST = (
+    200  # the most characters of a pattern: names are short, and thousands of stars take minutes
+)
 
 
 def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:

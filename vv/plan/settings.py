@@ -38,8 +38,8 @@ def parameters_with_settings(case: Case, variant: str, settings: Sequence[str]) 
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?nan|[+-]?inf)\s*(.*?)\s*")
 
 
-LONGEST = 40  # characters of a unit
-BESIDE = (TypeError, AttributeError, AssertionError, tokenize.TokenError)  # by which pint objects
+LONGEST = 40  # the most characters of a unit
+BESIDE = (TypeError, AttributeError, AssertionError, tokenize.TokenError)  # raised by pint
 _FACTOR = r"[^\W\d_]+(?:(?:\*\*|\^)?-?\d(?:\.\d)?)?|1|%|°"
 UNIT = re.compile(rf"\(?(?:{_FACTOR})(?:\s*[*/·]\s*\(?(?:{_FACTOR})\)?|\s+(?:{_FACTOR}))*\)?")
 
@@ -60,7 +60,7 @@ def _converted(value: float, unit: str, parameter: Parameter) -> float:
         return re.sub(r"([A-Za-z])(\d)", r"\1**\2", text) or "dimensionless"
 
     shown = unit if len(unit) <= LONGEST else f"{unit[:LONGEST]}..."
-    if shown != unit or not UNIT.fullmatch(unit):  # anything else would be calculated, 9**9**9 too
+    if shown != unit or not UNIT.fullmatch(unit):  # other texts would be evaluated, even 9**9**9
         raise UsageError(
             f"{parameter.name} = {value:g} '{shown}': not a unit, such as kN/m or m/s**2"
         )
@@ -79,7 +79,7 @@ def _converted(value: float, unit: str, parameter: Parameter) -> float:
 
 @functools.cache
 def _units() -> pint.UnitRegistry[float]:
-    """All units, which take a third of a second to read."""
+    """The registry of all units, which takes a third of a second to load."""
     import pint
 
     return pint.UnitRegistry()
