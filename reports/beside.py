@@ -11,14 +11,16 @@ from vv.records.job_record import Record
 
 
 def no_input(record: Record) -> str:
-    """The input of no code is known."""
+    """The empty input: that of no code is known."""
     return ""
 
 
 @dataclass(frozen=True, eq=False)
 class Beside:
-    """papers: each with what became of its statements. native: the input that a code was given
-    for a record, in the code's own language; empty where that cannot be said."""
+    """papers: each with the rows of its statements.
+
+    native: the native input of a code for a record; empty if it is unknown.
+    """
 
     papers: Sequence[tuple[Paper, Sequence[Row]]] = ()
     native: Callable[[Record], str] = no_input

@@ -39,7 +39,7 @@ class Book:
 
     @functools.cached_property
     def marks(self) -> dict[str, Mark]:
-        """The looks of all schemes in it."""
+        """The marks of all schemes in the manifest."""
         return marks(record.label for record in self.manifest.records)
 
     @functools.cached_property
@@ -59,7 +59,7 @@ class Book:
 
     @functools.cached_property
     def of_case(self) -> dict[str, list[Record]]:
-        """Case -> its records, as they stand in the manifest."""
+        """Case -> its records, in the order of the manifest."""
         found: dict[str, list[Record]] = {case: [] for case in self.manifest.cases}
         for record in self.manifest.records:
             found.setdefault(record.case, []).append(record)
@@ -67,7 +67,7 @@ class Book:
 
     @functools.cached_property
     def ran(self) -> dict[Place, dict[str, list[Record]]]:
-        """As `records`, but only those that a code supports."""
+        """As `records`, but only jobs that a code attempted."""
         return {
             place: {
                 label: taken
@@ -79,7 +79,7 @@ class Book:
 
     @functools.cached_property
     def by_setting(self) -> dict[tuple[str, str, str, str], Record]:
-        """(case, variant, scheme, setting) -> the record of what a code took on."""
+        """(case, variant, scheme, setting) -> the record, for jobs that a code attempted."""
         piles = (pile for own in self.ran.values() for pile in own.values())
         return {(r.case, r.variant, r.label, rung(r)): r for pile in piles for r in pile}
 
@@ -109,7 +109,7 @@ class Book:
         return diagnoses(self.manifest)
 
     def quiet(self, case: str = "", variant: str = "", label: str = "") -> bool:
-        """Whether nothing of a case, variant or scheme turns the gate red; '' means all.
+        """Whether no finding on a case, variant or scheme is red; '' means all.
 
         label: a scheme, or `CODE/` for all of a code.
         """
@@ -117,7 +117,7 @@ class Book:
 
     @functools.cached_property
     def _loud(self) -> set[tuple[str, str, str]]:
-        """The places, with '' for all, that have something red."""
+        """The places with red findings, each also with '' for all."""
         names = (
             (("", f.case), ("", f.variant), ("", f.label, f"{f.label.partition('/')[0]}/"))
             for f in self.red
@@ -138,7 +138,7 @@ class Book:
 
     @functools.cached_property
     def has_measurements(self) -> bool:
-        """Whether something was compared with a measurement."""
+        """Whether a quantity was compared with a measurement."""
         return any(one.measurement for r in self.manifest.records for one in r.quantities)
 
     @functools.cached_property

@@ -25,7 +25,7 @@ TOKEN = re.compile(
     r"(?P<space>\s+)|(?P<number>\d+(?:\.\d+)?)|(?P<name>[^\W\d_]+\d*)|(?P<prime>'+)"
     r"|(?P<sign><=|>=|-\+(?=[\s(])|\+-(?=[\s(])|.)"
 )
-CONTENT = re.compile(r"[\w=+<>]")  # without any of these a text is no mathematics
+CONTENT = re.compile(r"[\w=+<>]")  # a text without any of these is no formula
 STOP = re.compile(r"; |: | \| ")  # stands between formulas
 WORD = re.compile(r"(?:[^\W\d_]{3,}|[a-z]{2})(?:'s|(?<=s)'(?=\s))?(?![\w'(^{])")
 
@@ -53,7 +53,7 @@ def _runs(formula: str) -> Iterator[tuple[bool, str]]:
 
 
 def _trimmed(text: str) -> Iterator[tuple[bool, str]]:
-    """Mathematics, with the blanks and the stop about it as prose."""
+    """A formula, with the surrounding blanks and full stop as prose."""
     inner = text.strip().rstrip(",.;")
     before = text[: len(text) - len(text.lstrip())]
     yield True, before

@@ -27,14 +27,14 @@ from vv.records.manifest import Manifest
 from vv.store.store import Store
 
 HERE = Path(__file__).parent
-TOOL = Path(closure.__file__).parents[2]  # below which the modules that a report leans on lie
+TOOL = Path(closure.__file__).parents[2]  # the folder of the modules that a report depends on
 FRONT = "index.html"
 PAPERS = "papers.html"
 INPUTS = "inputs.js"
 ZOOM = "uplot.js"
 MEASURED = "measured.html"
-OWN = re.compile(r"[\w-]+\.(html|csv|css|js)")  # what a file of a report is called
-STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
+OWN = re.compile(r"[\w-]+\.(html|csv|css|js)")  # the names of files of a report
+STAMPS = "stamps.json"  # name of a file -> digests of its inputs and of the file
 Stamps = Mapping[str, list[str]]
 
 
@@ -50,15 +50,15 @@ class File:
 def build(manifest: Manifest, store: Store, folder: Path, beside: Beside = NOTHING) -> Path:
     """Write the report of a manifest (with its `name`) into a folder; returns its front page.
 
-    Reads the manifest, and the series of its records through the store. A page that was made
-    from the same results by the same sources, and was not touched since, is left as it is.
+    Reads the manifest, and the series of its records through the store. A page that was made from
+    the same results by the same sources, and was not changed since, is kept.
     """
     book = _book(manifest, store, beside)
     folder.mkdir(parents=True, exist_ok=True)
     before = _stamps(folder)
     *files, front = _files(book, store.manifests.digests_of(manifest.name))
     named = itertools.groupby(files, key=lambda file: Path(file.name).stem)
-    piles = [list(pile) for _, pile in named]  # of one case: its page and its table share series
+    piles = [list(pile) for _, pile in named]  # per case, as its page and its table share series
     write = functools.partial(_written, folder, before)
     done = [*parallel_map(write, piles, len(os.sched_getaffinity(0))), write([front])]
     now = {name: kept for stamps in done for name, kept in stamps.items()}
@@ -70,7 +70,7 @@ def build(manifest: Manifest, store: Store, folder: Path, beside: Beside = NOTHI
 
 
 def _written(folder: Path, before: Stamps, files: Sequence[File]) -> dict[str, list[str]]:
-    """Write those files that were made from something else; returns the stamps of all of them."""
+    """Write the files whose inputs have changed; returns the stamps of all of them."""
     now = {}
     for file in files:
         path, kept = folder / file.name, before.get(file.name)
@@ -111,9 +111,9 @@ def _book(manifest: Manifest, store: Store, beside: Beside) -> Book:
 
 
 def _files(book: Book, known: Mapping[str, str]) -> Iterator[File]:
-    """All files of a report, the front page last: it is there when all that it leads to is.
+    """All files of a report; the front page is last, so that all its links work once it exists.
 
-    known: case -> digest of its records, where the store has them.
+    known: case -> digest of its records, for records in the store.
     """
     from reports import environment as env
     from reports import library
@@ -146,7 +146,7 @@ def _files(book: Book, known: Mapping[str, str]) -> Iterator[File]:
 
 
 def _of_case(book: Book, case: str, records: str | None) -> str:
-    """Digest of all that the page of a case shows; records: digest of its records, if known."""
+    """The digest of all data that the page of a case shows; records: of its records, if known."""
     from reports.variant.inputs import heads
 
     whole = book.manifest
@@ -166,16 +166,16 @@ def _of_case(book: Book, case: str, records: str | None) -> str:
 
 
 def _of_all(book: Book, of_cases: Sequence[str]) -> str:
-    """Digest of all that the other pages show, but the time and the name of the invocation.
+    """The digest of all data that other pages show, except the time and name of the invocation.
 
-    Another invocation that was answered by the same results has the same report.
+    Invocations with the same results have the same report.
     """
     circumstances = dataclasses.replace(book.manifest.provenance, utc="")
     return _digest((circumstances, of_cases, book.manifest.findings, bool(book.beside.papers)))
 
 
 def _of_papers(book: Book) -> str:
-    """Digest of all that the page of the papers shows."""
+    """The digest of all data that the page of the papers shows."""
     parts = [(p.name, p.citation, p.doi, rows) for p, rows in book.beside.papers]
     return _digest((parts, [*book.marks], book.places))
 
@@ -190,7 +190,7 @@ def _digest(parts: object) -> str:
 
 
 def _stamps(folder: Path) -> Stamps:
-    """What is noted of the files of a report; nothing if it cannot be read."""
+    """The stamps of the files of a report; empty if they cannot be read."""
     try:
         found = codec.parse(read_whole(folder / STAMPS).decode())
     except (OSError, ValueError):
@@ -207,6 +207,6 @@ def _digest_of(path: Path) -> str:
 
 @functools.cache
 def sources() -> str:
-    """Digest of the sources of reports."""
+    """The digest of the sources of reports."""
     own = [p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css", ".js")]
     return closure.source_digest(closure.import_closure(own, (HERE.parent, TOOL)))

@@ -1,8 +1,8 @@
-"""uPlot, the script with which a reader zooms into a chart, from the package that ships it.
+"""Reads uPlot, the script with which a reader zooms into charts, from a Python package.
 
 The package youplot has uPlot 1.6.31 as its authors released it (MIT licence), in 50 kB and without
-any dependency. Only the files are read: nothing of the package is imported. Where the package is
-missing, pages are the same but for the zoom.
+any dependency. Only the files are read: nothing of the package is imported. Without the package,
+pages are the same except for the zoom.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ STYLE = "uplot.min.css"
 
 
 def script() -> str:
-    """The library, which a page fetches once a reader asks to zoom; empty if it is missing."""
+    """The script, which a page loads when a reader zooms; empty if it is missing."""
     return _read(SCRIPT)
 
 
 def style() -> str:
-    """Its style, a part of that of all pages; empty if it is missing."""
+    """The style of uPlot, which is part of that of all pages; empty if it is missing."""
     return _read(STYLE)
 
 

@@ -20,7 +20,7 @@ def glyph(mark: Mark) -> Markup:
 
 
 def defined(page: str, marks: Iterable[Mark]) -> str:
-    """What the glyphs and drawings of a page refer to: of the schemes that are in it."""
+    """The definitions that the glyphs and drawings of a page refer to."""
     used, drawn = (set(map(int, name.findall(page))) for name in (USED, DRAWN))
     here = [mark for mark in marks if mark.number in used | drawn]
     kinds = [kind for kind in KINDS if f'class="{kind[0]}"' in page]

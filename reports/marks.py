@@ -35,7 +35,7 @@ DASHES = (
     "5 1 1 1 1 1",
     "1 3",
 )
-# what came with vv, so that no two of it look alike; all others by a digest of their names
+# the schemes of vv, all with different marks; marks of others follow from digests of names
 CODES = ("dem", "yade", "liggghts", "exact", "rigid", "dda", "lmgc90", "pybullet", "kratos")
 SCHEMES = (
     "default",
@@ -89,7 +89,7 @@ SHAPES: tuple[Polygon, ...] = (
 )
 
 
-UNNUMBERED = -1  # the number of what is no scheme, and has the colour of its curve only
+UNNUMBERED = -1  # the number of curves that are not of a scheme
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def mark(label: str) -> Mark:
 
 
 def _place(name: str, known: tuple[str, ...]) -> int:
-    """Its place among what is known, or one behind that, by a digest of the name."""
+    """The index of a known name, or a larger one from a digest of the name."""
     if name in known:
         return known.index(name)
     return len(known) + zlib.crc32(name.encode("utf-8", "surrogatepass")) % 997

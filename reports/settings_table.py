@@ -1,6 +1,6 @@
-"""Writes the rows of the table of all settings; fast, since a report has ten thousands.
+"""Writes the rows of the table of all settings, quickly, since a report has tens of thousands.
 
-They have no end tags, which HTML does not need.
+Rows have no end tags, which HTML does not require.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from vv.records.job_record import Record
 def setting_rows(group: Group, stiffness: bool, valued: bool, columns: int) -> Markup:
     """The rows of a group of settings; stiffness, valued: whether there are columns of it.
 
-    The cost of a setting stands with the first quantity of a scheme; in the groups of the others,
-    steps at which the same came out share a row.
+    The cost of a setting is shown with the first quantity of a scheme; in the groups of other
+    quantities, steps with equal results share a row.
     """
     rows = [(text.brief(row.record.rung.dt), _came(row, stiffness, valued)) for row in group.rows]
     if group.first:
@@ -51,13 +51,13 @@ def _came(row: Setting, stiffness: bool, valued: bool) -> str:
     numbers += [text.brief(one.value), text.brief(one.reference)] if valued else []
     numbers += [text.sci(one.error), text.sci(one.tolerance, 1)]
     numbers += [text.NONE if row.local is None else f"{row.local:z.2f}"]
-    cells = "".join(f"<td>{number}" for number in numbers)  # of digits, which need no escape
+    cells = "".join(f"<td>{number}" for number in numbers)  # numbers, which need no escaping
     note = f" <small>{escape(row.note)}</small>" if row.note else ""
     look = "" if row.outcome.look == "good" else f' class="{row.outcome.look}"'
     return f"{cells}<td{look}>{row.outcome.symbol} {row.outcome.word}{note}"
 
 
 def _cost(record: Record) -> str:
-    """The cells of what a setting costs."""
+    """The cells of the cost of a setting."""
     marks = ("" if record.cost.timed else " ○") + (" ◻" if record.cost.whole else "")
     return f"<td>{text.seconds(record.cost.solve_cpu or None)}{marks}<td>{record.steps}"

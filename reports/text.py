@@ -13,7 +13,7 @@ from markupsafe import Markup, escape
 
 Same = TypeVar("Same")
 
-NONE = "\N{EN DASH}"  # what stands where there is no number
+NONE = "\N{EN DASH}"  # the text for a missing number
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 SMALL_NUMBER = re.compile(r"\d[\d.]*e-\d+")
 PADDED = re.compile(r"(?<=\d)e([+-])0*(\d+)")  # an exponent as programs write it
@@ -56,7 +56,7 @@ def ratio(value: float | None) -> str:
 
 
 def seconds(value: float | None) -> str:
-    """A time with a unit that people read: 91.6 ms, 2.03 s, 12 min; – for None."""
+    """A duration in a suitable unit: 91.6 ms, 2.03 s, 12 min; – for None."""
     if value is None or not math.isfinite(value):
         return NONE
     for below, scale, unit in ((1e-3, 1e6, "µs"), (1.0, 1e3, "ms"), (120.0, 1.0, "s")):
@@ -81,14 +81,14 @@ def with_unit(value: str, unit: str) -> str:
 
 
 def within(content: str) -> Markup:
-    """A long text between tags: quotes stay as they are, which attributes could not have."""
+    """A text escaped for use between tags; quotes stay, so that it is unfit for attributes."""
     return Markup(content.replace("&", "&amp;").replace("<", "&lt;"))
 
 
 def unbroken(content: str) -> Markup:
     """A text whose numbers are written as in tables: 6.8e-5 for 6.8e-05, 1e9 for 1e+09.
 
-    None ends a line at the hyphen of its exponent.
+    No line breaks at the hyphen of an exponent.
     """
     plain = PADDED.sub(lambda found: f"e{found[1].replace('+', '')}{found[2]}", content)
     return Markup(SMALL_NUMBER.sub(r'<span class="n">\g<0></span>', str(escape(plain))))
@@ -96,12 +96,12 @@ def unbroken(content: str) -> Markup:
 
 @functools.cache
 def slug(*names: str) -> str:
-    """An identifier of a place, and the name of a file: other names, other identifiers."""
+    """An identifier for anchors and file names; different names give different identifiers."""
     return "--".join(map(_plain, names))
 
 
 def _plain(name: str) -> str:
-    """The name itself if it is plain, else what is plain of it and a digest."""
+    """The name itself if it is plain, else its plain characters and a digest."""
     if PLAIN.fullmatch(name) and len(name) <= LONGEST and "--" not in name:
         return name.replace("/", "~")
     kept = re.sub(r"[^A-Za-z0-9]+", "-", name)[:40].strip("-")
@@ -109,13 +109,13 @@ def _plain(name: str) -> str:
 
 
 def known_columns(names: Iterable[str], rows: Iterable[Mapping[str, float | None]]) -> list[str]:
-    """The names, in order, of which some row has a number: a table needs no other columns."""
+    """The names, in order, for which some row has a number; a table omits other columns."""
     known = {name for row in rows for name, value in row.items() if value is not None}
     return [name for name in names if name in known]
 
 
 def alike(table: Mapping[str, Same]) -> list[tuple[list[str], Same]]:
-    """(names, their common value): names with the same value together."""
+    """The (names, value) for each distinct value, with all names that have it."""
     found: list[tuple[list[str], Same]] = []
     for name, value in table.items():
         names = next((names for names, known in found if known == value), None)

@@ -20,9 +20,9 @@ from vv.records.job_record import Record
 class Case:
     """A case and its variants.
 
-    judged: quantities with the variants they belong to, those together that are judged alike.
-    beside: our errors at the step of the tolerances. baseline: what was accepted, why and where;
-    None if nothing was. moved: what changed since. past: the case over commits, oldest first.
+    judged: quantities with their variants, grouped by the way in which they are judged. beside:
+    errors at the step of the tolerances. baseline: the acceptances with reasons and machines; None
+    if there are none. moved: changes since. past: the case over commits, oldest first.
     """
 
     name: str
@@ -77,7 +77,7 @@ def _quantities(facts: CaseFacts) -> list[tuple[QuantityFacts, Sequence[str]]]:
 def _judged_alike(
     quantities: Iterable[tuple[QuantityFacts, Sequence[str]]],
 ) -> list[list[tuple[QuantityFacts, Sequence[str]]]]:
-    """Those together that have the same tolerances, for the same reasons, in the same norm."""
+    """The quantities grouped by equal tolerances, reasons and norms."""
     found: list[list[tuple[QuantityFacts, Sequence[str]]]] = []
     for quantity, variants in quantities:
         pile = next((pile for pile in found if _how(pile[0][0]) == _how(quantity)), None)
@@ -89,13 +89,13 @@ def _judged_alike(
 
 
 def _how(quantity: QuantityFacts) -> tuple[object, ...]:
-    """All that says how a quantity is judged."""
+    """The key of how a quantity is judged."""
     of = quantity
     return of.tolerances, of.shown, of.norm, of.judge, of.reason
 
 
 def _stated_step(facts: CaseFacts) -> float | None:
-    """The step that the tolerances are stated for: there codes are compared with the source."""
+    """The step for which tolerances are stated, at which codes are compared with the source."""
     for quantity, _ in _quantities(facts):
         for tolerance in (quantity.tolerances or {}).values():
             if tolerance.dt is not None:
@@ -104,7 +104,7 @@ def _stated_step(facts: CaseFacts) -> float | None:
 
 
 def _pointwise(records: Iterable[Record], dt: float | None) -> dict[str, float | None]:
-    """Scheme -> largest pointwise relative error at that step, or at the only setting it has."""
+    """Scheme -> largest pointwise relative error at that step, or at its only setting."""
     return {
         record.label: one.errors.get(Norm.POINTWISE)
         for record in records

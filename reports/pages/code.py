@@ -21,7 +21,7 @@ from vv.records.reading import tried
 class Line:
     """One scheme on one variant: its error, and its rank among the schemes that ran it.
 
-    why: what is not green, of which what stands in another line is referred to.
+    why: the reasons if it is not green; repeated ones refer to another line.
     """
 
     link: str
@@ -35,7 +35,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Code:
-    """A code. head: what all its inputs begin with. refusals: scheme, reason, variants by case."""
+    """A code. head: common beginning of its inputs. refusals: scheme, reason, variants by case."""
 
     name: str
     version: str

@@ -14,7 +14,7 @@ from reports.text import brief, short
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome
 
-FEW = 3  # variants that are named though they are all of a case
+FEW = 3  # the most variants that are named even if they are all of a case
 DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 
 
@@ -31,10 +31,10 @@ class Finding:
 def findings(book: Book, looks: Iterable[str], without: Container[Outcome] = ()) -> list[Finding]:
     """The findings on records whose outcome has one of these styles, worst first.
 
-    without: outcomes that are told elsewhere. where: case -> (link, variant with its steps).
+    without: outcomes that are shown elsewhere. where: case -> (link, variant with its steps).
     """
     wanted = frozenset(looks)
-    piles: dict[tuple[int, str, str], dict[int, str]] = {}  # place among all -> reason
+    piles: dict[tuple[int, str, str], dict[int, str]] = {}  # index -> reason
     for place, (record, found) in enumerate(book.shown):
         if found.look in wanted and found.key not in without:
             why = _reason(record, found)
@@ -52,7 +52,7 @@ def findings(book: Book, looks: Iterable[str], without: Container[Outcome] = ())
 
 
 def refused(book: Book) -> list[tuple[str, int, int]]:
-    """(code, variants, reasons) of what each code does not support; its page has all details."""
+    """(code, variants, reasons) of the unsupported variants of each code."""
     found: dict[str, tuple[set[tuple[str, str]], set[str]]] = {}
     for record, shown in book.shown:
         if shown.key is Outcome.REFUSED:
@@ -63,14 +63,14 @@ def refused(book: Book) -> list[tuple[str, int, int]]:
 
 
 def _merged(texts: Sequence[str]) -> str:
-    """Texts that differ in their decimals only as one, with the range of each decimal."""
+    """The texts, merged if they differ in decimals only, with the range of each decimal."""
     columns = list(zip(*(map(float, DECIMAL.findall(text)) for text in texts), strict=True))
     ranges = iter([dict.fromkeys((short(min(c)), short(max(c)))) for c in columns])
     return DECIMAL.sub(lambda _: " to ".join(next(ranges)), texts[0])
 
 
 def _reason(record: Record, shown: ShownOutcome) -> str:
-    """The reason of a record's outcome: its own, what its quantities note, or its energy."""
+    """The reason of a record's outcome: its own, or notes on its quantities or its energy."""
     return plain.reason(record, shown.key) or shown.meaning
 
 
@@ -92,7 +92,7 @@ def _where(book: Book, pile: Sequence[Record]) -> dict[str, Sequence[tuple[str, 
 def _all_of_it(
     book: Book, case: str, places: Sequence[tuple[str, str]]
 ) -> Sequence[tuple[str, str]]:
-    """The places as they are; where they are just all the variants of a case, the case."""
+    """The places; if they are all variants of a case, the case instead."""
     variants = [*book.manifest.cases[case].variants]
     if len(variants) < FEW or [name for _, name in places] != variants:
         return places

@@ -93,7 +93,7 @@ def overview(book: Book) -> Overview:
 
 
 def _solved(cell: Cell) -> bool:
-    """Whether it has an error that can be compared with that of others."""
+    """Whether a cell has an error that can be compared with those of others."""
     return cell.ladder and cell.error is not None
 
 
@@ -108,7 +108,7 @@ def _common(cells: Mapping[Place, Mapping[str, Cell]]) -> list[Place]:
 
 
 def _ratios(costs: Mapping[Place, Mapping[str, Sequence[float | None]]], label: str) -> list[float]:
-    """The cost of a scheme to TARGET over that of the cheapest, where it gets there."""
+    """The costs of a scheme to reach TARGET over the cheapest, on variants where it does."""
     at, found = TARGETS.index(TARGET), []
     for here in costs.values():
         own = here.get(label, [None] * len(TARGETS))[at]

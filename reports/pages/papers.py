@@ -22,7 +22,7 @@ LOOKS: Mapping[Assessment, str] = {
 
 @dataclass(frozen=True)
 class Given:
-    """A number that codes give on a variant, which may be of a case that this report lacks."""
+    """An answer of codes on a variant, which may belong to a case outside this report."""
 
     link: str
     where: str

@@ -16,7 +16,7 @@ from vv.output.gallery.scene_drawing import picture
 from vv.records.finding import Aspect, Finding, worst_first
 from vv.records.job_record import Record
 
-BOUND = "; it may move "  # in what the gate says of a change: how much of one is none, and why
+BOUND = "; it may move "  # precedes the allowed change and its reason
 CARDS = 10  # on the front page
 JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
 
@@ -25,8 +25,8 @@ JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
 class Trouble:
     """Findings of one kind on one scheme and case, represented by the worst of them.
 
-    red: whether it turns the gate red. bound: of a change, what would be none, and why. others: the
-    places of the rest, as links and words. scene: the drawing of the worst's.
+    red: whether it turns the gate red. bound: the allowed change, with the reason. others: the
+    places of the rest, as links and words. scene: the drawing of the worst.
     """
 
     red: bool
@@ -45,16 +45,16 @@ class Trouble:
 
 
 def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trouble]:
-    """All that has a bit in the gate's judgement, grouped: what is red first, worst first.
+    """All findings with an exit bit, grouped; red ones first, then worst first.
 
-    Before what changed stands what is wrong in itself, which explains more.
+    Errors precede changes, since they explain more.
     """
     known = book.by_setting
     patterns = {(d.case, d.label): d.text for d in book.patterns}
     piles: dict[tuple[str, str, str, str], list[Finding]] = {}
     for one in worst_first(book.findings if findings is None else findings):
         if one.bit and not one.improves:
-            law = one.check is Aspect.CONSERVATION  # one leak breaks several at once
+            law = one.check is Aspect.CONSERVATION  # one leak of energy violates several laws
             key = one.case, one.label, one.check.value, "" if law else one.kind
             piles.setdefault(key, []).append(one)
     ordered = sorted(
@@ -97,14 +97,14 @@ def _trouble(
 
 
 def _scene(book: Book, one: Finding) -> Markup:
-    """The scene of a finding's variant, small."""
+    """A small drawing of the scene of a finding."""
     facts = book.manifest.cases.get(one.case)
     variant = facts.variants.get(one.variant) if facts else None
     return Markup(picture(variant.sketch) if variant and variant.sketch else "")
 
 
 def _text(one: Finding, record: Record | None) -> str:
-    """A finding in plain words: by the record that it is of, if it judges that alone."""
+    """A finding in plain words, taken from its record if it concerns a single one."""
     if record is None or one.check not in JUDGED:
         sentence = f"{THAN.get(one.kind, '')}{one.text}"
         return sentence[:1].upper() + sentence[1:]

@@ -12,7 +12,7 @@ from reports.variant.reading import anchor
 from vv.records.job_record import Record
 from vv.records.reading import tried
 
-LONG = 50  # characters of a reason that a page gives once
+LONG = 50  # reasons longer than this appear once on a page
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Silent:
 
 
 def silent(rows: Sequence[Absent], variant: str, above: dict[str, str]) -> list[Silent]:
-    """Those of which nothing ran, a row for each reason.
+    """The schemes without any result, a row for each reason.
 
     above: reasons that stand above on the page -> at which variant; new ones are added to it.
     """

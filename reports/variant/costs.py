@@ -25,7 +25,7 @@ class CostRow:
 
 
 def cost_rows(book: Book, place: Place) -> list[CostRow]:
-    """What each of TARGETS costs every scheme; nothing where nothing was timed."""
+    """The cost of each of TARGETS in every scheme; empty if nothing was timed."""
     here = book.efforts.get(place, [])
     if not any(effort.timed for effort in here):
         return []
@@ -41,14 +41,14 @@ def cost_rows(book: Book, place: Place) -> list[CostRow]:
 
 
 def _whole(records: Sequence[Record]) -> list[str]:
-    """That its costs are of whole processes, where they are."""
+    """A note if costs are of whole processes; else empty."""
     if any(record.cost.whole for record in records):
         return ["costs of whole processes, start and output included"]
     return []
 
 
 def _notes(one: Effort) -> Iterator[str]:
-    """Its floor, and at each stiffness what of the error is the model's and what the step's."""
+    """Notes on the floor, and on the model error and the step error at each stiffness."""
     if one.floor:
         yield f"{sci(one.floor.error, 1)}: {one.floor.why}"
     for row in one.rows:

@@ -17,14 +17,14 @@ from vv.case import Norm
 from vv.records.case_facts import QuantityFacts, VariantFacts
 from vv.records.job_record import Record
 
-Over = Callable[[str], list[History]]  # of a quantity: its history in each scheme
-SEVERAL = 2  # quantities with figures; of more, only those of which something is out of bounds
+Over = Callable[[str], list[History]]  # the histories of a quantity, one for each scheme
+SEVERAL = 2  # the most quantities with figures, beyond those that are out of bounds
 
 
 def all_figures(
     book: Book, place: Place, own: Sequence[Record], over: Over, like: bool
 ) -> list[Figure]:
-    """All figures of a variant; like: whether those of another serve for what runs over time."""
+    """All figures of a variant; like: whether another variant has the same ones over time."""
     facts = book.manifest.cases[place[0]].variants[place[1]]
     return [
         *measured_figures(book, place),
@@ -43,7 +43,7 @@ def is_drawn(quantity: QuantityFacts, facts: VariantFacts, own: Sequence[Record]
 
 
 def _figures(book: Book, facts: VariantFacts, own: Sequence[Record], over: Over) -> list[Figure]:
-    """Those of all quantities; what errors cost is drawn once, since a run has all quantities."""
+    """The figures of all quantities; cost is drawn once, since a run has all quantities."""
     energies = {q.name: over(q.name) for q in facts.quantities if q.unit == JOULE}
     made = energy_figures(energies, facts.quantities)
     drawn, costs = bool(made), list[Figure]()

@@ -18,16 +18,16 @@ from reports.variant.reading import TARGET, judged_error, nearest
 from vv.records.job_record import Record
 from vv.records.reading import rung
 
-LONGEST = 8_000  # characters beyond what all inputs of a code share: longer ones are exported
-MANY = 60  # bodies, whose input nobody reads: it is exported
-SHORTEST = 1_000  # that is worth sharing
+LONGEST = 8_000  # characters beyond the common beginning; longer inputs are left to `vv export`
+MANY = 60  # bodies; inputs of larger scenes are left to `vv export`
+SHORTEST = 1_000  # the fewest lines worth sharing
 
 
 @dataclass(frozen=True)
 class Input:
-    """A code's own input for a variant. text: what follows upon what all inputs of it share.
+    """A code's own input for a variant. text: after the common beginning.
 
-    base: the input above on the page that `text` tells the difference from; None if it is whole.
+    base: the earlier input from which `text` is a difference; None if it is complete.
     """
 
     anchor: str
@@ -44,8 +44,7 @@ class Input:
 def inputs(book: Book, place: Place, before: dict[str, list[Input]]) -> list[Input]:
     """The input of each external code that ran a variant, and is short enough to be shown.
 
-    before: code -> the whole inputs above on the page; one is added to it unless it is told by
-    its difference from one of these.
+    before: code -> the complete inputs above on the page; a new complete one is added.
     """
     found = []
     for record in chosen(book, place):
@@ -59,7 +58,7 @@ def inputs(book: Book, place: Place, before: dict[str, list[Input]]) -> list[Inp
 
 
 def _beside(one: Input, wholes: Sequence[Input]) -> Input:
-    """An input by its difference from the one most like it; as it is where that saves nothing."""
+    """An input as the difference from the most similar one, or complete if that is not shorter."""
     if not wholes:
         return one
     base = wholes[nearest_text([whole.text for whole in wholes], one.text)]
@@ -107,9 +106,9 @@ def _input(book: Book, record: Record) -> Input | None:
 
 @functools.lru_cache(maxsize=1)
 def heads(book: Book) -> dict[str, str]:
-    """External code -> the lines with which all its inputs begin, if that saves space.
+    """External code -> the common beginning of its inputs, if sharing it saves space.
 
-    They are those that its first and its last input share.
+    It is that of the first and the last input.
     """
     ends = [_first_inputs(book, places) for places in (book.places, book.places[::-1])]
     found = {code: _shared(book.beside.native(end[code]) for end in ends) for code in ends[0]}
@@ -129,7 +128,7 @@ def _first_inputs(book: Book, places: Iterable[Place]) -> dict[str, Record]:
 
 
 def _shared(texts: Iterable[str]) -> str:
-    """The lines with which texts begin."""
+    """The common first lines of texts."""
     lines = zip(*(text.splitlines(keepends=True) for text in texts), strict=False)
     same = itertools.takewhile(lambda row: len(set(row)) == 1, lines)
     head = "".join(row[0] for row in same)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from reports.variant.ranking import Ranked
 
-WORTH = 0.7  # of the text: a difference that is longer saves too little
-Told = dict[tuple[str, ...], tuple[str, str]]  # of whom -> at which variant, and what
+WORTH = 0.7  # fraction of the text; a longer difference saves too little
+Told = dict[tuple[str, ...], tuple[str, str]]  # schemes -> the variant and the text
 
 
 @dataclass(frozen=True)
@@ -40,14 +40,14 @@ class Modelled:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Whom it is of."""
+        """The names of the schemes of this model."""
         return self.code, *(row.mark.label for row in self.rows)
 
 
 def models(rows: Sequence[Ranked], variant: str, above: Told) -> list[Modelled]:
     """How the schemes modelled a scene, a row for each way.
 
-    above: what the page has shown already; what is new here is added to it.
+    above: models shown above on the page; new ones are added.
     """
     return [_beside(one, variant, above) for one in _all_models(rows)]
 
@@ -81,7 +81,7 @@ def _all_models(rows: Sequence[Ranked]) -> list[Modelled]:
 
 
 def _models(pile: Sequence[tuple[list[str], Ranked]]) -> Iterator[Modelled]:
-    """Those of one code: what all its schemes have in common stands once."""
+    """The models of one code; the part that all its schemes share is shown once."""
     common = [c for c in pile[0][0] if all(c in clauses for clauses, _ in pile)]
     found: dict[str, list[Ranked]] = {}
     for clauses, row in pile:

@@ -14,7 +14,7 @@ from vv.records.reading import by_fineness, ran
 
 @dataclass(frozen=True)
 class PrintedRow:
-    """A printed answer: of what it is, what each scheme computes, and whose is out of the band."""
+    """A printed answer: its quantity, the results of schemes, and those outside the band."""
 
     quantity: str
     unit: str

@@ -48,12 +48,12 @@ class Ranked:
 
     @property
     def worst(self) -> ShownOutcome:
-        """What colours it."""
+        """The outcome that determines its colour."""
         return self.outcomes[0][0]
 
 
 def ranked(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> list[Ranked]:
-    """The schemes that took a variant on, most accurate first; piles: label -> its records."""
+    """The schemes that attempted a variant, most accurate first; piles: label -> its records."""
     rows = [_ranked(pile, looks[label]) for label, pile in piles.items()]
     return sorted(rows, key=lambda row: (row.error is None, row.error or 0.0, row.mark.label))
 
@@ -81,7 +81,7 @@ class Dear:
 
 
 def cheapest(rows: Sequence[Ranked]) -> list[Dear]:
-    """The schemes that took a variant on, cheapest first; those without a cost are left out."""
+    """The schemes that attempted a variant and have a cost, cheapest first."""
     known = sorted((row.cpu, row.mark.label, row) for row in rows if row.cpu)
     return [
         Dear(row.mark, cpu, row.timed, row.whole, cpu / known[0][0], row.error, row.setting)
@@ -120,7 +120,7 @@ def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
 
 
 def _worst_of(pile: Sequence[Record], worst: ShownOutcome) -> Record | None:
-    """The record that explains the colour of a pile, farthest outside; None if all is well.
+    """The record farthest out of bounds, which explains the colour; None if all is well.
 
     worst: the worst outcome in it.
     """
@@ -136,7 +136,7 @@ def _closeness(record: Record) -> float:
 
 
 def _balance(record: Record) -> str:
-    """The energy that a run does not account for, and what its scheme promises of it."""
+    """The unaccounted energy of a run, and the bound that its scheme declares, in words."""
     ledger = record.ledger
     if ledger is None:
         return ""

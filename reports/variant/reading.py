@@ -7,7 +7,7 @@ from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind
 from vv.records.quantity import MeasuredQuantity
 
-TARGET = 1e-3  # the error that a reader who chooses a code has in mind
+TARGET = 1e-3  # the error for which codes are recommended
 
 
 def anchor(record: Record) -> str:

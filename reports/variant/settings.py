@@ -55,7 +55,7 @@ class Group:
 
 
 def groups(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> list[Group]:
-    """The tables of a variant's runs that ran: per scheme, quantity and contact stiffness."""
+    """The groups of a variant's runs by scheme, quantity and contact stiffness."""
     found: dict[tuple[str, str, float | None], list[Measured]] = {}
     for label, pile in piles.items():
         for record in pile:
@@ -76,7 +76,7 @@ def groups(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
 
 
 def _goes_on(before: Group | None, one: Group) -> bool:
-    """Whether all that a heading of a group would say stands above it already."""
+    """Whether the heading of a group would repeat the one above."""
     known = before and (before.mark, before.quantity, before.notes)
     return known == (one.mark, one.quantity, one.notes) and one.order is None
 
@@ -101,7 +101,7 @@ def _group(mark: Mark, rows: Sequence[Measured]) -> Group:
 
 
 def _between(coarse: Point, fine: Point) -> float | None:
-    """The order that two settings show; None where a step or an error is missing or the same."""
+    """The order between two settings; None if a step or an error is missing or equal."""
     (h, e), (less, left) = coarse, fine
     if not (h and e and less and left) or h == less or not math.isfinite(e * left):
         return None

@@ -86,7 +86,7 @@ class Variant:
 
 @dataclass(frozen=True)
 class Above:
-    """What the page has shown above a variant and need not repeat; each variant adds to it.
+    """The parts of a page above a variant, which it need not repeat; each variant adds its own.
 
     curves: variant -> what its figures show; inputs: code -> those that are shown whole;
     models: how whom modelled a scene, and at which variant; reasons: why nothing ran -> variant;
@@ -149,19 +149,19 @@ def _like(name: str, curves: list[History], own: Sequence[Record], above: Above)
     if not like:
         above.curves[name] = curves
     if any(shown_outcome(record).troubling for record in own):
-        return ""  # whoever looks for what went wrong needs its own picture
+        return ""  # a reader who looks for an error needs this picture
     return like
 
 
 def _settings(book: Book, case: str, own: Sequence[Record]) -> dict[str, float]:
-    """The parameters that are not those of the case."""
+    """The parameters that differ from those of the case."""
     usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
     given = own[0].parameters if own else {}
     return {key: value for key, value in given.items() if value != usual.get(key)}
 
 
 def _not_green(rows: Sequence[Ranked], name: str, above: Above) -> list[tuple[Ranked, str]]:
-    """What is not green and why, long reasons once on a page."""
+    """The rows that are not green, with reasons; long reasons appear once on a page."""
     return [
         (row, plain.once(row.why, f"{name}, {row.mark.label}", above.explained))
         for row in rows
@@ -170,7 +170,7 @@ def _not_green(rows: Sequence[Ranked], name: str, above: Above) -> list[tuple[Ra
 
 
 def _scene(seen: Sketch | None, anchor: str, above: Above) -> Markup:
-    """The picture of a scene; of one that stands above, what shows it again."""
+    """The picture of a scene, or a reference to the same one above."""
     if seen is None:
         return Markup("")
     name = above.scenes.setdefault(seen, f"scene--{anchor}")

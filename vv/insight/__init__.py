@@ -1,4 +1,4 @@
-"""Evaluates many records together: cost of an error, largest steps, history, comparison.
+"""Evaluates many records together: cost of errors, stability, history, comparison.
 
 May import: base, scene, ask, case, records, store, plan, gate.
 """

@@ -20,7 +20,7 @@ FACTORS = (
     10.0,
     100.0,
     1e4,
-)  # times the cost of the cheapest, at which profiles are printed
+)  # multiples of the cost of the cheapest at which profiles are printed
 Ranked = TypeVar("Ranked", bound=tuple[Any, ...])
 LEAST = 1e-17  # stands for an error of zero on a logarithmic scale
 
@@ -76,7 +76,7 @@ def unbeaten(rows: Iterable[Ranked]) -> list[Ranked]:
 
 
 def cheapest(every: Iterable[Effort], target: float) -> list[tuple[str, Point]]:
-    """(label, point) of each code's cheapest timed rung within the error, cheapest code first."""
+    """The cheapest timed rung of each code within an error, (label, point), cheapest first."""
     found = [(effort.label, error_cost(effort, target).point) for effort in every]
     able = [(p.cpu, name, p) for name, p in found if p is not None and p.cpu is not None]
     first: dict[str, tuple[str, Point]] = {}
@@ -108,7 +108,7 @@ class Comparison:
 
 
 def comparisons(every: Sequence[Effort], targets: Sequence[float]) -> list[Comparison]:
-    """Two for each variant and error: of all in-house engines, and of those that step in time."""
+    """The comparisons for each variant and error: of all in-house engines, and of stepping ones."""
     variants = dict.fromkeys((e.case, e.variant) for e in every if e.external)
     found = []
     for case, variant in variants:
@@ -163,5 +163,5 @@ def profile(every: Sequence[Effort], target: float) -> dict[str, list[float]]:
 
 
 def shares(ratios: Sequence[float]) -> list[float]:
-    """Of a row of a profile, the share of variants solved within each of FACTORS."""
+    """The shares of variants solved within each of FACTORS, from a row of a profile."""
     return [sum(ratio <= factor for ratio in ratios) / len(ratios) for factor in FACTORS if ratios]

@@ -18,10 +18,10 @@ from vv.records.job_record import Record
 from vv.records.quantity import MeasuredQuantity
 from vv.records.recorded import RecordedResult
 
-FAMILIES = {"lammps": "liggghts", "dart": "ode"}  # code -> the one whose sources it shares
-ENOUGH = 3  # answers: of two that differ, either may be wrong
-ROUNDING = 1e-12  # of the scale: what is nearer than that is one
-WRITTEN_DOWN = 0.5 * 10.0 ** (1 - DIGITS)  # of a value: what the digits that are recorded lose
+FAMILIES = {"lammps": "liggghts", "dart": "ode"}  # code -> the code whose sources it shares
+ENOUGH = 3  # the fewest answers: of two that differ, either may be wrong
+ROUNDING = 1e-12  # relative to the scale: smaller differences are rounding
+WRITTEN_DOWN = 0.5 * 10.0 ** (1 - DIGITS)  # relative to a value: rounding of the recorded digits
 
 Topic = tuple[str, str, str, Method]  # case, variant, quantity, class of method
 
@@ -53,7 +53,7 @@ class FamilyAnswer:
 
     @property
     def name(self) -> str:
-        """The label, and whether it is recorded."""
+        """The label; recorded answers are marked."""
         return f"{self.label} (recorded)" if self.recorded else self.label
 
     def agrees(self, other: FamilyAnswer, rounding: float) -> bool:
@@ -113,7 +113,7 @@ def agreements(
 
 
 def _measured(records: Iterable[Record]) -> Iterator[tuple[Topic, _Result]]:
-    """Values of runs: of a number, or of a series at its last time."""
+    """The values of runs, for series at the last time."""
     for record in records:
         if record.status is Status.RAN and not record.modified:
             for one in record.quantities:
@@ -126,7 +126,7 @@ def _measured(records: Iterable[Record]) -> Iterator[tuple[Topic, _Result]]:
 def _written_down(
     records: Iterable[Record], recorded: Iterable[RecordedResult]
 ) -> Iterator[tuple[Topic, _Result]]:
-    """Recorded values of schemes whose codes are not installed."""
+    """The recorded values of schemes whose codes are not installed."""
     methods = {
         (record.case, record.variant, record.label): record.method
         for record in records
@@ -142,10 +142,10 @@ def _written_down(
 
 
 def _agreement(topic: Topic, schemes: Mapping[str, list[_Result]]) -> Iterator[Agreement]:
-    """The comparison of one quantity, if enough families computed it."""
+    """The comparison of one quantity; None unless enough families computed it."""
     every = [_answer(label, results) for label, results in schemes.items()]
     given = sorted((v for v in every if v), key=lambda answer: (-answer.error, answer.label))
-    answers = {answer.family: answer for answer in given}  # the least error comes last, and stays
+    answers = {answer.family: answer for answer in given}  # the last, with the least error, is kept
     if len(answers) < ENOUGH:
         return
     compared = tuple(sorted(answers.values(), key=lambda answer: answer.label))
@@ -188,7 +188,7 @@ def _reference(one: MeasuredQuantity) -> float | None:
 
 
 def _largest_group(answers: Sequence[FamilyAnswer], rounding: float) -> tuple[FamilyAnswer, ...]:
-    """The largest group in which every two agree; of equal groups the one with least errors."""
+    """The largest group in which every two agree; among equal ones that with the least errors."""
     groups = [
         group
         for size in range(1, len(answers) + 1)

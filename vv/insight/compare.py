@@ -16,16 +16,16 @@ from vv.records.reading import rung
 from vv.records.rungs import Key, orders
 from vv.store.store import Store
 
-SAME = 1e-6  # relative change of an error that is not worth a line
-LISTED = 3  # runs, where one is not found
+SAME = 1e-6  # smaller relative changes of an error are not shown
+LISTED = 3  # the number of runs named if one is not found
 NOISE = 1e-12  # an error below it is rounding
-ORDER = 0.02  # change of an observed order that is not worth a line
-COST = 1.25  # ratio of costs that is not worth a line: rounds differ by as much
+ORDER = 0.02  # smaller changes of an observed order are not shown
+COST = 1.25  # smaller ratios of costs are not shown, since rounds differ by as much
 
 
 @dataclass(frozen=True)
 class Change:
-    """One difference between two invocations. size: by which changes of a kind are sorted."""
+    """A difference between two invocations. size: the sort key among changes of one kind."""
 
     kind: str
     where: str
@@ -34,9 +34,9 @@ class Change:
 
 
 def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifest:
-    """The run of that name, or the newest at a commit: of its own files, where there is one.
+    """The run of that name, or the newest at a commit, preferably without uncommitted changes.
 
-    A commit is given by its beginning, or by a name that `known` tells the commit of, or ''.
+    A commit is given by its beginning, or by a name; `known` returns the commit of a name, or ''.
     """
     names = store.manifests.names()
     if name in names:
@@ -66,7 +66,7 @@ def how_to_make(name: str) -> str:
 
 
 def changes(one: Manifest, other: Manifest) -> list[Change]:
-    """How the other invocation differs from the one: outcomes, errors, orders and costs."""
+    """The differences of `other` from `one`: outcomes, errors, orders and costs."""
     before, after = _by_place(one.records), _by_place(other.records)
     shared = [place for place in before if place in after]
     found = [*_presence(before, after)]
@@ -111,7 +111,7 @@ def _record_changes(where: str, one: Record, other: Record) -> Iterator[Change]:
 
 
 def _cost(record: Record) -> float | None:
-    """The timed cost over that of the calibration kernel, so that sessions may be compared."""
+    """The timed cost in calibration kernels, so that sessions can be compared."""
     return record.cost.relative[0] if record.cost.relative else None
 
 

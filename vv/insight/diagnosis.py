@@ -17,11 +17,11 @@ from vv.records.outcomes import StudyKind, Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import by_fineness, ran
 
-FLAT = 0.3  # an order below it: smaller steps do not help
-LATE = 0.6  # by how much an order may miss what the class claims
-NEAR = 0.03  # relative: how near to a factor an answer must be
+FLAT = 0.3  # with a smaller order, smaller steps do not help
+LATE = 0.6  # how far an order may lie below that of its class
+NEAR = 0.03  # relative deviation of an answer from a factor
 FACTORS = (2.0, 0.5, -1.0, 0.0)
-GROWS = 1.15  # times its mean square: of a steady swing it is 1, growing with t 1.22
+GROWS = 1.15  # times its mean square: 1 for a steady oscillation, 1.22 for one that grows with t
 SUSPECTS = (
     "viscous drag -eta v",
     "shear spring capped by Coulomb friction",
@@ -62,7 +62,7 @@ class Pattern(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """A pattern in what one scheme gets wrong in a case. text: the pattern with its numbers."""
+    """A pattern in the errors of a scheme in a case. text: the pattern with its numbers."""
 
     case: str
     label: str
@@ -78,7 +78,7 @@ def diagnoses(manifest: Manifest) -> list[Diagnosis]:
 def diagnose(
     records: Iterable[Record], terms: Mapping[tuple[str, str], frozenset[str]]
 ) -> Iterator[Diagnosis]:
-    """The patterns in records, at most one for each scheme and case: the most telling.
+    """The patterns in records, at most one for each scheme and case: the most specific.
 
     terms: (case, variant) -> the effects in its scene, as a case states them.
     """
@@ -102,7 +102,7 @@ def _first_of(
     wrong: Sequence[Record],
     terms: Mapping[tuple[str, str], frozenset[str]],
 ) -> Said | None:
-    """The most telling pattern, and the effect that distinguishes all failures, if any."""
+    """The most specific pattern, with the effect that distinguishes all failures, if any."""
     ladders = [_ladder(pile, record.variant) for record in _of_each_variant(wrong)]
     looks: tuple[Callable[[Sequence[Record]], Said | None], ...] = (_factor, _order, _growth)
     found = next((pattern for look in looks for rungs in ladders if (pattern := look(rungs))), None)
@@ -133,7 +133,7 @@ def _worst(record: Record) -> MeasuredQuantity | None:
 
 
 def _errors(rungs: Sequence[Record]) -> list[tuple[float, float]]:
-    """(dt, error) of the quantity that is worst at the finest step."""
+    """The (dt, error) of the quantity that is worst at the finest step."""
     worst = _worst(rungs[-1]) or _worst(rungs[0])
     if worst is None:
         return []
@@ -142,7 +142,7 @@ def _errors(rungs: Sequence[Record]) -> list[tuple[float, float]]:
 
 
 def _order(rungs: Sequence[Record]) -> Said | None:
-    """Whether errors stay as steps shrink, or fall more slowly than the class promises."""
+    """The pattern of errors that do not fall, or fall more slowly than the class claims."""
     points = _errors(rungs)
     if len(points) < 2 or points[-1][1] <= 0:
         return None
@@ -165,7 +165,7 @@ def _order(rungs: Sequence[Record]) -> Said | None:
 
 
 def _factor(rungs: Sequence[Record]) -> Said | None:
-    """Whether answer over exact answer is near a factor that a typical mistake causes."""
+    """The pattern of an answer that is off by a factor that a typical mistake causes."""
     for record in (rungs[-1], rungs[0]):
         for one in record.quantities:
             value, due = _final(one)
@@ -178,7 +178,7 @@ def _factor(rungs: Sequence[Record]) -> Said | None:
 
 
 def _throughout(one: MeasuredQuantity, factor: float) -> bool:
-    """Whether a factor seen at the end explains the largest error, too: of a number it does."""
+    """Whether the factor at the end also explains the largest error; for a number it does."""
     largest = one.errors.get(Norm.MAX)
     return one.value is not None or (
         largest is not None and abs(largest - abs(factor - 1.0)) <= 2.0 * NEAR
@@ -195,14 +195,14 @@ def _slip(name: str, factor: float) -> str:
 
 
 def _final(one: MeasuredQuantity) -> tuple[float | None, float | None]:
-    """The answer and the exact one: of a number, or at the last time of a series."""
+    """The answer and the exact answer, for a series at the last time."""
     if one.value is not None:
         return one.value, one.reference
     return one.figures.get("final"), one.end
 
 
 def _growth(rungs: Sequence[Record]) -> Said | None:
-    """Whether the error at the end is that of the worst time, and far above its mean square."""
+    """The pattern of an error that is largest at the end, and far above its mean square."""
     one = _worst(rungs[-1])
     if one is None or one.scale is None:
         return None
@@ -221,7 +221,7 @@ def _effect(
     wrong: Sequence[Record],
     terms: Mapping[tuple[str, str], frozenset[str]],
 ) -> str:
-    """The effect that all variants which fail have, and none that passes; empty if none."""
+    """The effect that all failing variants have, and no passing one; empty if there is none."""
     case = pile[0].case
     failing = {record.variant for record in wrong}
     passing = {record.variant for record in pile} - failing

@@ -13,7 +13,7 @@ from vv.records.manifest import CodeFound, Manifest
 from vv.records.reading import by_fineness, tried
 from vv.records.rungs import Floor, Point, Row, row_of
 
-PATIENCE = 60.0  # CPU seconds after which a code has had its chance
+PATIENCE = 60.0  # CPU seconds after which a missing improvement counts as a floor
 
 
 @dataclass(frozen=True)
@@ -28,27 +28,27 @@ class Effort:
 
     @functools.cached_property
     def floor(self) -> Floor | None:
-        """The floor of all its knobs."""
+        """The floor of the error over all knobs."""
         return _floor(self.rows)
 
     @property
     def points(self) -> tuple[Point, ...]:
-        """Its rungs, by stiffness and step, coarsest first."""
+        """The rungs, by stiffness and step, coarsest first."""
         return tuple(point for row in self.rows for point in row.points)
 
     @property
     def stepping(self) -> bool:
-        """Whether it advances by time steps."""
+        """Whether the scheme advances by time steps."""
         return any(point.dt is not None for point in self.points)
 
     @property
     def timed(self) -> bool:
-        """Whether any of its rungs was."""
+        """Whether any rung was timed."""
         return any(point.cpu is not None for point in self.points)
 
     @property
     def best(self) -> float | None:
-        """Its smallest error."""
+        """The smallest error of the scheme on the variant."""
         return min((p.error for p in self.points if p.error is not None), default=None)
 
 
@@ -68,7 +68,7 @@ def untimed(manifest: Manifest) -> list[Effort]:
 
 
 def untimed_costs(effort: Effort) -> Effort:
-    """A scheme with its indicative costs, for want of timed ones."""
+    """The effort of a scheme with its indicative costs in place of timed ones."""
     rows = tuple(
         dataclasses.replace(
             row,
@@ -84,9 +84,9 @@ def _timed(every: Iterable[Effort]) -> set[tuple[str, str]]:
 
 
 def every_effort(manifest: Manifest) -> list[Effort]:
-    """Every scheme that took a variant on, timed or not.
+    """Every scheme that attempted a variant, timed or not.
 
-    Raises ValueError where costs are of several timing sessions.
+    Raises ValueError if costs are of several timing sessions.
     """
     records = manifest.records
     sessions = {r.cost.session for r in records if r.cost.timed}
@@ -114,7 +114,7 @@ def _effort(
 
 
 def _floor(rows: Sequence[Row]) -> Floor | None:
-    """The floor of a scheme, if two refinements of each of its knobs hardly helped.
+    """The floor of a scheme, if two refinements of each knob hardly reduced the error.
 
     dt is judged at the highest stiffness that has three steps, beyond which no stiffness may gain;
     the stiffness is judged by the smallest error at each.

@@ -22,8 +22,8 @@ class Point:
     """A case at one commit.
 
     closeness: scheme -> largest error over tolerance. cost: scheme -> geometric mean of its timed
-    solves in calibration kernels. Both are over those places only that all points of the scheme
-    have. outcomes: scheme -> outcomes counted.
+    solves in calibration kernels. Both use only the places that all points of the scheme have.
+    outcomes: scheme -> numbers of outcomes.
     """
 
     utc: str
@@ -52,8 +52,8 @@ def histories(
 ) -> dict[str, list[Point]]:
     """The history of each case: at each commit its newest run with unmodified records.
 
-    at_hand: manifests by their names, which need not be read. passed_over: is called once with a
-    sentence on each past run that is damaged.
+    at_hand: manifests by name, which need not be read. passed_over: called once for each damaged
+    past run, with a sentence.
     """
     past = PastRuns(store, at_hand, functools.cache(passed_over))
     told = {case: [*last.values()] for case, last in _last_runs(store, past, cases).items()}
@@ -63,7 +63,7 @@ def histories(
     found = _worked_out(store, past, [case for case in told if not kept.get(case)])
     points = {case: _points([*runs.values()][::-1]) for case, runs in found.items()}
     for case, new in points.items():
-        if keys[case] and len(new) == len(told[case]):  # else one of these says nothing of the case
+        if keys[case] and len(new) == len(told[case]):  # none is empty
             store.keep_facts(keys[case], new)
     for case, runs in told.items():
         if own := kept.get(case):
@@ -95,7 +95,7 @@ def _worked_out(
 ) -> dict[str, dict[tuple[str, bool], Past]]:
     """Case -> commit -> its newest run with unmodified records, newest first."""
     found: dict[str, dict[tuple[str, bool], Past]] = {case: {} for case in cases}
-    for name in store.manifests.names()[::-1]:  # each is read once, and only what is asked of it
+    for name in store.manifests.names()[::-1]:  # each is read once, in parts
         short = {case for case, commits in found.items() if len(commits) < COMMITS}
         if not short:
             break
@@ -137,4 +137,4 @@ def _over_common(
 
 
 def _geometric_mean(values: list[float]) -> float:
-    return math.exp(math.fsum(map(math.log, values)) / len(values))  # in whatever order
+    return math.exp(math.fsum(map(math.log, values)) / len(values))  # independent of the order

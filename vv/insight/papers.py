@@ -10,15 +10,15 @@ from dataclasses import dataclass
 from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 from vv.records.accepted import AcceptedResult
 
-Results = Mapping[str, AcceptedResult]  # by 'VARIANT CODE/SCHEME RUNG', as a baseline names them
-SHOWN = 5  # significant digits of what codes give
-POWER = re.compile(r"(?<=\d)e(-?\d+)")  # of ten, as papers' numbers are entered
+Results = Mapping[str, AcceptedResult]  # keys are 'VARIANT CODE/SCHEME RUNG', as in baselines
+SHOWN = 5  # significant digits of the answers of codes
+POWER = re.compile(r"(?<=\d)e(-?\d+)")  # powers of ten, as numbers of papers are entered
 FEWEST = 1e-12  # a smaller figure is rounding
 
 
 @dataclass(frozen=True)
 class Answer:
-    """A number that codes give, as text, with their labels CODE/SCHEME. where: CASE:VARIANT."""
+    """An answer of codes as text, with their labels CODE/SCHEME. where: CASE:VARIANT."""
 
     where: str
     text: str
@@ -40,7 +40,7 @@ class Row:
 
 
 def rows(paper: Paper, results: Callable[[str], Results]) -> tuple[Row, ...]:
-    """A row for each statement of a paper; results: case -> what is stored of it."""
+    """A row for each statement of a paper; results: case -> its stored results."""
     return tuple(_row(one, results) for one in paper.statements)
 
 
@@ -61,14 +61,14 @@ def _row(one: Statement, results: Callable[[str], Results]) -> Row:
 
 
 def _beside(value: float, one: Statement) -> str:
-    """The exact number, with two digits more than are printed, five at least."""
+    """The exact number, with two digits more than are printed, but at least five."""
     given = one.printed.split()[0].partition("e")[0] if one.printed else ""
     digits = sum(c.isdigit() for c in given.lstrip("-<>~0."))
     return _written(value, max(SHOWN, digits + 2), one)
 
 
 def _written(value: float, digits: int, one: Statement) -> str:
-    """A number with the power of ten that is printed, if one is; else as people write it."""
+    """A number with the power of ten that the paper prints, if any; otherwise in short form."""
     power = POWER.search(one.printed)
     scaled = value / 10.0 ** int(power[1]) if power else 0.0
     if power and 0.01 <= abs(scaled) < 1000.0:
@@ -90,7 +90,7 @@ def _answers(one: Statement, computed: Computed, results: Results) -> Iterator[A
 
 
 def _chosen(computed: Computed, results: Results) -> dict[str, AcceptedResult]:
-    """CODE/SCHEME -> its result at the rung asked for, else at its finest."""
+    """CODE/SCHEME -> its result at the requested rung, or at its finest."""
     found: dict[str, tuple[tuple[float, float], AcceptedResult]] = {}
     for name, result in results.items():
         variant, label, knobs = _named(name)
@@ -104,14 +104,14 @@ def _chosen(computed: Computed, results: Results) -> dict[str, AcceptedResult]:
 
 @functools.cache
 def _named(name: str) -> tuple[str, str, Mapping[str, str]]:
-    """Variant, CODE/SCHEME and knobs of a result, from its name; each is asked for many times."""
+    """The variant, CODE/SCHEME and knobs of a result, from its name; cached."""
     variant, label, *rest = name.split(" ")
     knobs = dict(pair.split("=") for pair in rest[0].split(",")) if rest else {}
     return variant, label, knobs
 
 
 def _is_at(computed: Computed, knobs: Mapping[str, str]) -> bool:
-    """Whether a result is at the rung asked for, as far as its scheme has the knobs."""
+    """Whether a result is at the requested rung, as far as its scheme has the knobs."""
     due = {} if computed.rung is None else {"dt": computed.rung.dt, "kn": computed.rung.kn}
     return all(
         value is None or name not in knobs or abs(float(knobs[name]) / value - 1.0) < 1e-9

@@ -18,19 +18,19 @@ from vv.records.outcomes import Outcome
 from vv.records.reading import rung
 from vv.store.store import Store
 
-Figures = Mapping[str, Mapping[str, float]]  # scheme -> place within the case -> figure
-Head = tuple[tuple[str, ...], Provenance]  # the cases of a past run, and where it comes from
+Figures = Mapping[str, Mapping[str, float]]  # scheme -> quantity at a setting -> figure
+Head = tuple[tuple[str, ...], Provenance]  # the cases and the provenance of a past run
 Read = Callable[[str], tuple[Record, ...]]  # case -> its records
 Part = TypeVar("Part")
-NOWHERE = Provenance("", "", False, "", Machine("", None, "", ""), {}, 1)  # of what is damaged
+NOWHERE = Provenance("", "", False, "", Machine("", None, "", ""), {}, 1)  # of damaged runs
 
 
 @dataclass(frozen=True, slots=True)
 class Digest:
-    """A case in a past run, of its records with the case's own parameters.
+    """The figures of a case in a past run, from records with the case's own parameters.
 
-    closeness: error over tolerance; cost: a timed solve in calibration kernels; outcomes: scheme
-    -> outcomes counted. Without outcomes there are no such records.
+    closeness: error over tolerance; cost: a timed solve in calibration kernels; outcomes: scheme ->
+    numbers of outcomes; empty if there are no such records.
     """
 
     closeness: Figures
@@ -42,7 +42,7 @@ class Digest:
 class PastRuns:
     """Reads past runs in parts; damaged ones are skipped with one notice.
 
-    Runs that hold the same records of a case say the same: that is worked out for one of them.
+    The figures of a case are computed once for all runs with the same records of it.
     """
 
     store: Store
@@ -53,14 +53,14 @@ class PastRuns:
     opened: dict[str, Read | None] = field(default_factory=dict)
 
     def head(self, name: str) -> Head:
-        """The cases of a past run and where it comes from; no cases if it is damaged."""
+        """The cases and the provenance of a past run; no cases if it is damaged."""
         if name not in self.heads:
             head = self._of(name, lambda: self.store.manifests.head(name))
             self.heads[name] = head or ((), NOWHERE)
         return self.heads[name]
 
     def digest(self, name: str, case: str) -> Digest:
-        """What a past run says of a case; what is stored of one is worked out once."""
+        """The figures of a case in a past run; they are stored when first computed."""
         stored = self._held(name).get(case, "")
         key = digest(stored, _sources())
         known = self.store.facts(Digest, key) if stored else None
@@ -72,12 +72,12 @@ class PastRuns:
         return known
 
     def key_of(self, names: Sequence[str], case: str) -> str:
-        """A digest of all that these runs hold of a case; empty if one of them is not stored."""
+        """The digest of the records of a case in these runs; empty if one is not stored."""
         held = [self._held(name).get(case, "") for name in names]
         return digest("history", held, _sources()) if held and all(held) else ""
 
     def _held(self, name: str) -> Mapping[str, str]:
-        """Case -> digest of the records that a run holds of it; empty if it is not stored."""
+        """Case -> digest of its records in a run; empty if the run is not stored."""
         if name not in self.held:
             key = digest("held", name)
             known = self.store.facts(dict[str, str], key)
@@ -92,7 +92,7 @@ class PastRuns:
         """The records of a case in a past run; None if they are damaged."""
         if name in self.at_hand:
             return [r for r in self.at_hand[name].records if r.case == case]
-        if name not in self.opened:  # a run is asked for its cases one after the other
+        if name not in self.opened:  # the cases of a run are requested one after the other
             self.opened.clear()
             self.opened[name] = self._of(name, lambda: self.store.manifests.reader(name))
         read = self.opened[name]
@@ -114,7 +114,7 @@ def digest_of(records: Iterable[Record]) -> Digest:
 
 @functools.cache
 def _sources() -> str:
-    """Digest of the sources that decide what is worked out, here and in the history of a case."""
+    """The digest of the sources that affect figures, here and in `vv.insight.history`."""
     here = Path(__file__)
     own = [here, here.with_name("history.py")]
     return closure.source_digest(closure.import_closure(own, (here.parents[2],)))
@@ -123,7 +123,7 @@ def _sources() -> str:
 def _measured(
     records: Iterable[Record], measure: Callable[[Record], Mapping[str, float]]
 ) -> dict[str, dict[str, float]]:
-    """Scheme -> place -> what is measured there."""
+    """Scheme -> place -> figure."""
     found: dict[str, dict[str, float]] = {}
     for record in records:
         for name, value in measure(record).items():

@@ -1,4 +1,4 @@
-"""The statements of papers beside the results of an invocation, stored until either changes."""
+"""Compares statements of papers with an invocation; the rows are stored until either changes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from vv.store.store import Store
 def rows_of_run(
     papers: Sequence[Paper], project: Project, manifest: Manifest
 ) -> tuple[tuple[Row, ...], ...]:
-    """The rows of each paper, worked out where records, baselines or sources are new."""
+    """The rows of each paper, computed again if records, baselines or sources have changed."""
     results = functools.cache(functools.partial(_results, project, manifest))
     store = Store(project.data())
     records = store.manifests.digests_of(manifest.name)
@@ -41,13 +41,13 @@ def rows_of_run(
 
 
 def _sources(project: Project) -> str:
-    """A digest of what lists the papers and makes rows of them."""
+    """The digest of the sources that list the papers and make the rows."""
     of = [*files(project), Path(insight.__file__)]
     return closure.source_digest(closure.import_closure(of, project.roots))
 
 
 def _key_of_rows(paper: Paper, project: Project, sources: str, records: Mapping[str, str]) -> str:
-    """A digest of all that the rows of a paper are made of; records: case -> digest of them."""
+    """The digest of everything that the rows depend on; records: case -> digest of them."""
     cases = sorted({it.case for one in paper.statements for it in one.computed})
     folders = [root / "cases" / "baselines" for root in project.roots]
     accepted = [folder / f"{case}.json" for folder in folders for case in cases]
@@ -61,7 +61,7 @@ def _key_of_rows(paper: Paper, project: Project, sources: str, records: Mapping[
 
 
 def _results(project: Project, manifest: Manifest, case: str) -> Mapping[str, AcceptedResult]:
-    """What is accepted of a case, and what the invocation itself has of it."""
+    """The accepted results of a case, and those of the invocation."""
     from vv.gate.all_checks import baseline_of
 
     known = baseline_of(project, case)

@@ -15,12 +15,12 @@ from vv.records.outcomes import JudgeKind, QuantityKind, StudyKind, Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import by_fineness, too_long, tried
 
-WRONG = 1.0  # relative error as large as the answer: no answer any more
-Rung = tuple[Record, MeasuredQuantity]  # a record, and of it the quantity at hand
+WRONG = 1.0  # a relative error of 100 %: the answer is useless
+Rung = tuple[Record, MeasuredQuantity]  # a record, and one of its quantities
 
 
 class Kind(enum.StrEnum):
-    """What there is to say of stability, in the order in which it is said."""
+    """The kinds of statements on stability, in the order of a report."""
 
     STEP = "step"
     MAP = "map"
@@ -30,10 +30,11 @@ class Kind(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class StabilityStatement:
-    """What one scheme says of stability on one variant.
+    """A statement on the stability of a scheme on a variant.
 
-    value: over theory of a largest step; part of a map that is lost; largest breach of what is to
-    be conserved; the count at the finest rung. due: what it should be. text: that in a sentence.
+    value: the largest step over theory, the lost fraction of a map, the largest change of a
+    conserved quantity, or the count at the finest rung. due: the expected value. text: the
+    statement as a sentence.
     """
 
     kind: Kind
@@ -47,13 +48,13 @@ class StabilityStatement:
 
 
 def stability(manifest: Manifest) -> list[StabilityStatement]:
-    """All that the records of a manifest say of stability, by kind, case, variant and scheme."""
+    """The statements on stability in a manifest, by kind, case, variant and scheme."""
     found = [*_maps(manifest), *_others(manifest)]
     return sorted(found, key=lambda one: list(Kind).index(one.kind))
 
 
 def _others(manifest: Manifest) -> Iterator[StabilityStatement]:
-    """Largest steps, drift and counts: a quantity of one scheme on one variant, over its rungs."""
+    """The statements on largest steps, drift and counts, over the rungs of a scheme."""
     piles: dict[tuple[Kind, str, str, str, str], list[Rung]] = {}
     for record in manifest.records:
         for one in record.quantities:
@@ -127,7 +128,7 @@ SAYS: Mapping[Kind, Callable[[Sequence[Rung], str], Statement]] = {
 
 
 def _maps(manifest: Manifest) -> Iterator[StabilityStatement]:
-    """How much of each map is lost in each scheme, where, and how good it gets."""
+    """The statements on maps: the lost fraction in each scheme, where, and the least error."""
     piles: dict[tuple[str, str, str], list[Record]] = {}
     for record in manifest.records:
         if record.study is StudyKind.GRID:
