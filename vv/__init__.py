@@ -21,6 +21,6 @@ def results(source: str | Path | None = None) -> pd.DataFrame:
     source: a manifest of a store, or a document that `--json` wrote; if not given, the latest
     invocation of the project that the current folder lies in.
     """
-    # Named, not imported: solvers import this file, and are not asked anew when output changes.
+    # Not imported here: solvers import this file, and must not be run again when output changes.
     found: pd.DataFrame = importlib.import_module("vv.output.table").results(source)
     return found

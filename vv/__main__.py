@@ -4,7 +4,7 @@ import gc
 import os
 
 LIBRARIES = ("OMP", "OPENBLAS", "MKL", "NUMBA")
-ALLOCATED = 1_000_000  # before garbage is sought: nearly all that an invocation reads stays in use
+ALLOCATED = 1_000_000  # objects before garbage collection: most data stay in use
 
 
 def main() -> None:
@@ -17,7 +17,7 @@ def main() -> None:
     try:
         cli.main()
     finally:
-        gc.freeze()  # else a million objects are looked through before all of them go anyway
+        gc.freeze()  # otherwise a million objects would be scanned just before the process ends
 
 
 if __name__ == "__main__":

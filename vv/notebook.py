@@ -1,6 +1,7 @@
 """Runs cases from Python, for notebooks and scripts: what `vv run` does, with a table as answer.
 
-It is no part of `vv/__init__.py`, which everything imports: results would hang on the command line.
+It is not in `vv/__init__.py`, which every module imports, since results would then depend on the
+command line.
 """
 
 from __future__ import annotations
@@ -27,9 +28,9 @@ def verify(
     """Run cases in codes as `vv run` does, and return the results as `vv.results` does.
 
     selection: FAMILY, CASE or CASE:VARIANT, with globs. codes: CODE[/SCHEME],... level: quick,
-    default or paper. settings: texts NAME=VALUE[UNIT]. rungs: texts dt=..[,kn=..]. What is stored
-    is not run again; no report is written. Raises UsageError for what does not exist, ValueError
-    for another level.
+    default or paper. settings: texts NAME=VALUE[UNIT]. rungs: texts dt=..[,kn=..]. Stored results
+    are not computed again; no report is written. Raises UsageError for what does not exist,
+    ValueError for another level.
     """
     from vv.plan.plan import Options
     from vv.run.limits import Limits

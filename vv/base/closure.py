@@ -137,7 +137,7 @@ def _data_files(folder: Path) -> list[Path]:
 
 @functools.cache
 def _version(library: str) -> str:
-    from importlib import metadata  # not for a quick look: it brings the package email
+    from importlib import metadata  # imported here, since it loads the package email
 
     try:
         return metadata.version(library)

@@ -12,7 +12,7 @@ from typing import TypeVar
 
 T = TypeVar("T")
 R = TypeVar("R")
-ALONE = 0.3  # CPU s after which the rest is shared out; to do so takes a tenth of that
+ALONE = 0.3  # CPU s after which the rest is distributed, which takes a tenth of that
 
 
 def parallel_map(work: Callable[[T], R], items: Sequence[T], processes: int) -> list[R]:
@@ -29,7 +29,7 @@ def parallel_map(work: Callable[[T], R], items: Sequence[T], processes: int) -> 
 
 
 def _shared(work: Callable[[T], R], items: Mapping[int, T], processes: int) -> dict[int, R]:
-    """The same in this process and in forked ones, to which the items are dealt in turn.
+    """The results from this process and forked ones, among which the items are distributed.
 
     Items that a lost process did not finish, or for which it raised an error, are done here at the
     end.
@@ -54,7 +54,7 @@ def _shared(work: Callable[[T], R], items: Mapping[int, T], processes: int) -> d
 
 
 def _help(work: Callable[[T], R], items: Mapping[int, T], sender: Connection) -> None:
-    """In a forked process: send results, up to the first error."""
+    """Send the results of a forked process, up to the first error."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends it
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     found = {}

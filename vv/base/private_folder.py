@@ -27,7 +27,7 @@ def cache_root(name: str) -> Path:
 
 
 def why_not_trusted(folder: Path) -> str:
-    """Why others could have put code into a folder; empty if only this user could."""
+    """Why others could have written code into a folder; empty if only this user could."""
     state = folder.stat()
     if state.st_uid != os.geteuid():
         return "another user owns it"

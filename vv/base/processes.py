@@ -14,7 +14,7 @@ from pathlib import Path
 
 PROC = Path("/proc")
 SUBREAPER = 36  # Linux: PR_SET_CHILD_SUBREAPER
-ROUNDS = 20  # of killing: who is killed may just have started another
+ROUNDS = 20  # rounds of killing: a killed process may just have started another
 
 
 def adopt_orphans() -> None:
@@ -24,7 +24,7 @@ def adopt_orphans() -> None:
 
 
 def end_children() -> None:
-    """End all that this process has started or adopted; almost free if there is nothing.
+    """End all processes that this one has started or adopted; almost free if there are none.
 
     Call it only if the process no longer waits for any child.
     """
@@ -60,7 +60,7 @@ def end_descendants(pid: int) -> None:
 
 
 def end_those_in(folder: Path) -> None:
-    """End all processes of ours whose home or working folder lies in a folder."""
+    """End all processes of this user whose home or working folder lies in a folder."""
     for _ in range(ROUNDS):
         found = [pid for pid in _pids() if _is_in(pid, folder)]
         if not found:
@@ -102,7 +102,7 @@ def _descendants(pid: int) -> list[int]:
 
 
 def _parent(pid: int) -> int | None:
-    """The parent of a process; None where it is gone, or a zombie that no signal reaches."""
+    """The parent of a process; None if it has ended, or is a zombie that no signal reaches."""
     try:
         text = (PROC / str(pid) / "stat").read_text(errors="replace")
     except OSError:
@@ -121,7 +121,7 @@ def _is_in(pid: int, folder: Path) -> bool:
             if entry.startswith(b"HOME=")
         ]
         here = os.fsencode(os.readlink(place / "cwd"))
-    except OSError:  # gone, or not ours
+    except OSError:  # it has ended, or belongs to another user
         return False
     own = os.fsencode(folder)
     inside = any(one == own or one.startswith(own + b"/") for one in (*homes, here))

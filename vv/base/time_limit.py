@@ -10,7 +10,7 @@ from types import FrameType
 
 
 class TooLongError(RuntimeError):
-    """A calculation took more time than it was given."""
+    """A calculation exceeded its time limit."""
 
 
 @contextlib.contextmanager

@@ -14,18 +14,18 @@ from vv.scaling.stack import CONTACTS, asked, stack
 from vv.scaling.triad import bandwidth, least_traffic
 from vv.scene import Scene
 
-WORK = 400_000  # spheres times steps of a measurement, about
+WORK = 400_000  # approximate number of spheres times steps in a measurement
 FEWEST = 100  # spheres
-BRIEF, LONGER, ROUNDS = 2, 4, 3  # steps at least; the longer run's over the shorter's
-HUGE = 300_000  # spheres, of which one round is enough: setting up takes most of it
+BRIEF, LONGER, ROUNDS = 2, 4, 3  # the fewest steps; ratio of the longer run to the shorter
+HUGE = 300_000  # spheres, from which one round is enough, since set-up takes most of the time
 
 
 @dataclass(frozen=True)
 class Size:
-    """The costs at one number of spheres: CPU seconds per sphere and step, by scheme.
+    """The CPU seconds per sphere and step at one number of spheres, by scheme.
 
-    memory: the bandwidth [bytes/s]; failed: why a scheme gave no cost; it is then not asked for
-    more spheres.
+    memory: the bandwidth [bytes/s]; failed: why a scheme gave no cost; it is then not run with more
+    spheres.
     """
 
     spheres: int
@@ -36,7 +36,7 @@ class Size:
 
     @property
     def limit(self) -> float:
-        """Seconds per sphere and step at the bandwidth of the memory, if no cache is used."""
+        """The seconds per sphere and step at the bandwidth of the memory, without caches."""
         return least_traffic(CONTACTS) / self.memory
 
 
@@ -49,7 +49,7 @@ def sizes(largest: int) -> tuple[int, ...]:
 
 
 def costs_by_size(schemes: Iterable[tuple[Adapter, Scheme]], largest: int) -> Iterator[Size]:
-    """The costs at each size, from small to large; a scheme that failed is not asked again."""
+    """The costs at each size, from small to large; a scheme that failed is not run again."""
     left = list(schemes)
     for n in sizes(largest):
         found = _measure(left, n)
@@ -68,7 +68,7 @@ def can_step(code: Adapter, scheme: Scheme) -> bool:
 
 
 def _measure(schemes: Sequence[tuple[Adapter, Scheme]], n: int) -> Size:
-    """The difference of a longer and a shorter run, so that what a run begins with is left out."""
+    """The cost from the difference of a longer and a shorter run, without the start of a run."""
     scene, steps = stack(n), max(BRIEF, WORK // n)
     n = len(scene.spheres)
     size = Size(n, steps * LONGER, bandwidth())

@@ -13,7 +13,7 @@ LIMIT = "memory"
 
 
 def heading(labels: Sequence[str]) -> Iterator[str]:
-    """The head of the table."""
+    """The heading of the table."""
     yield (
         "CPU time per sphere and step [ns], without set-up: spheres with rotation and friction in "
         "a box"
@@ -22,7 +22,7 @@ def heading(labels: Sequence[str]) -> Iterator[str]:
 
 
 def row(size: Size, labels: Sequence[str]) -> str:
-    """A line of the table."""
+    """A row of the table."""
     told = [(name, size.seconds.get(name)) for name in labels] + [(LIMIT, size.limit)]
     cells = (f"  {_ns(seconds):>{_wide(name)}}" for name, seconds in told)
     return f"{size.spheres:>9}" + "".join(cells)
@@ -48,7 +48,7 @@ def notes(found: Sequence[Size]) -> Iterator[str]:
 
 
 def document(found: Sequence[Size]) -> dict[str, Any]:
-    """The same for other programs, in SI units."""
+    """The costs as JSON, in SI units."""
     return {
         "what": "CPU seconds of a sphere in a step",
         "bytes": least_traffic(CONTACTS),

@@ -8,15 +8,15 @@ from vv.ask import Ask, History, Knobs
 from vv.scene import Contact, Scene, Spheres, Wall
 
 RADIUS, MASS, LAW, DT = 0.01, 0.01, Contact(1e5, 2e4, 0.3), 2e-5
-PITCH = 1.998  # radii: neighbours overlap, and the box keeps them so, each with six contacts
-TREMOR = 0.01  # m/s, by which friction is tried along each axis
+PITCH = 1.998  # radii: neighbours overlap, and the box keeps them in contact, six contacts each
+TREMOR = 0.01  # m/s along each axis, which causes friction
 CONTACTS = 3  # of two spheres, for each
 
 
 def stack(about: int) -> Scene:
-    """About so many spheres of one size: as many as fill a box that is nearly a cube.
+    """A stack of about n equal spheres, which fill a box that is nearly a cube.
 
-    Each touches six others, or walls, for as long as it is stepped.
+    Each touches six others, or walls, throughout the run.
     """
     random, across = np.random.default_rng(1), _across(about)
     grid = np.stack(np.meshgrid(*map(np.arange, across), indexing="ij"), 3).reshape(-1, 3)
@@ -33,12 +33,12 @@ def stack(about: int) -> Scene:
 
 
 def asked(scene: Scene, steps: int) -> Ask:
-    """The ask to run the scene for so many steps, without any observable."""
+    """The ask to run the scene for a number of steps, without observables."""
     return Ask(scene, History(steps * DT, steps * DT), (), Knobs(dt=DT))
 
 
 def _across(n: int) -> tuple[int, int, int]:
-    """Spheres along each side of a box of about n."""
+    """The numbers of spheres along the sides of a box with about n."""
     x = round(n ** (1 / 3))
     y = round((n / x) ** 0.5)
     return x, y, round(n / x / y)

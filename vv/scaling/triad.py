@@ -1,4 +1,4 @@
-"""How fast this machine's memory is, by the triad of the STREAM benchmark: a = b + s c."""
+"""Measures the memory bandwidth by the triad of the STREAM benchmark: a = b + s c."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ import time
 
 import numpy as np
 
-LENGTH, BLOCK = 8_000_000, 16_384  # numbers of an array, which no cache holds, and of a block
+LENGTH, BLOCK = 8_000_000, 16_384  # numbers in an array, which exceeds all caches, and in a block
 ROUNDS, SCALE = 5, 3.0
 COUNTED = 3 * 8  # bytes: two numbers are read for one that is written
 
 
 def bandwidth() -> float:
-    """Bytes in a second of CPU time, the best of several rounds.
+    """The bytes per second of CPU time, the best of several rounds.
 
-    Blocks of the product stay in the cache, so that memory sees the three arrays and no more.
+    Blocks of the product stay in the cache, so that memory traffic is that of the three arrays.
     """
     a, b, c = np.zeros(LENGTH), np.ones(LENGTH), np.ones(LENGTH)
     product, least = np.empty(BLOCK), np.inf
@@ -29,8 +29,8 @@ def bandwidth() -> float:
 
 
 def least_traffic(contacts: float) -> float:
-    """Bytes that a step must read and write for a sphere that no cache holds.
+    """The bytes that a step must read and write for a sphere that is not in a cache.
 
-    Its place, velocity and spin, and the spring of friction of each contact: each read and written.
+    Its position, velocity and spin, and the shear spring of each contact, are read and written.
     """
     return 2 * 8 * (9 + 3 * contacts)

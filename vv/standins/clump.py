@@ -21,13 +21,13 @@ TINY = 0.001  # the same for a block that leans: it must turn about its edge, no
 class Clump:
     """A block on a wall, as a rigid body of spheres.
 
-    corners: (k, 3) centres [m] of the spheres that meet the wall, all of one radius [m]; each has
-    a share 1/k of the block's stiffness. forces: (k, 3) [N] of the wall on them at t = 0. touching:
-    (k,) which of them are pressed then: all, unless the block leans or begins to tip. points:
-    (8, 3) [m], each with an eighth of the mass; together they have the block's inertia. free_spin:
-    (3,) whether the block may rotate about each axis of the frame. extra: (3,) [N] the sum of
-    forces less the force on the sphere that would represent a block without rotations. moment:
-    (3,) [N m] of the forces about the centroid, if the block begins to tip.
+    corners: (k, 3) centres [m] of the spheres that meet the wall, all of one radius [m]; each has a
+    share 1/k of the block's stiffness. forces: (k, 3) [N] of the wall on them at t = 0. touching:
+    (k,) which of them are loaded then: all, unless the block leans or begins to tip. points: (8, 3)
+    [m], each with an eighth of the mass; together they have the block's inertia. free_spin: (3,)
+    whether the block may rotate about each axis of the frame. extra: (3,) [N] the sum of forces
+    less the force on the sphere that would represent a block without rotations. moment: (3,) [N m]
+    of the forces about the centroid, if the block begins to tip.
     """
 
     block: Block
@@ -74,7 +74,7 @@ def clumps(ask: Ask, springs: SpringScene) -> tuple[Clump, ...]:
 
 
 def words(made: Sequence[Clump], body: str) -> str:
-    """A note that says by which kind of body a code represents blocks, and of what it consists."""
+    """A note on the kind of body by which a code represents blocks, and on its parts."""
     if len(made) == 1:
         return f"{body} stands for the block: {made[0].words}"
     return f"{body} stands for each of {len(made)} blocks: of the first, {made[0].words}"

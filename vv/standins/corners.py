@@ -8,7 +8,7 @@ from vv.scene import Block, Mask, Vector, Wall
 from vv.standins.penalty_springs import TOUCHING
 
 SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
-FLAT = 1e-6  # corners out of line by less than this part of their distance are collinear
+FLAT = 1e-6  # relative deviation from a line below which corners are collinear
 
 
 def size_of(block: Block) -> float:
@@ -17,7 +17,7 @@ def size_of(block: Block) -> float:
 
 
 def feet(block: Block, wall: Wall) -> Mask:
-    """Which vertices (n,) lie on the wall."""
+    """A mask (n,) of the vertices that lie on the wall."""
     gap = (block.vertices - wall.point) @ wall.normal
     return np.asarray(np.abs(gap) < TOUCHING * size_of(block))
 

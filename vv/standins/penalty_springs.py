@@ -11,7 +11,7 @@ from vv.scene import Block, Harmonic, Scene, Spheres, Vector
 
 TOUCHING = 1e-9  # a gap below this part of a block's size is a contact
 STILL = 1e-12  # a slip below this part of the speeds of a body and its wall is rounding
-# Every code and scheme asks for the stand-ins of the same frozen scenes: they are built once.
+# All codes and schemes need the stand-ins of the same frozen scenes, so that they are cached.
 found_once = functools.lru_cache(maxsize=128)
 
 

@@ -1,7 +1,7 @@
 """Tiny scenes with answers in closed form, which `vv check` asks of a code.
 
-There is a scene for each term that changes how a body moves. A scheme is asked those whose terms
-it declares.
+There is a scene for each term that affects the motion of a body. A scheme is tested with those
+whose terms it declares.
 """
 
 from __future__ import annotations

@@ -19,13 +19,13 @@ from vv.codes.tiny_scenes.tiny_scene import (
 from vv.scene import Block, Contact, Scene, Term, Vector, Wall, box_geometry
 
 HALF = np.array([0.1, 0.15, 0.05])  # m
-ACROSS = np.array([0.6, 0.8, 0.0])  # the way of slip
-DOWN, PRESSED, ROUGH = 6.0, 8.0, 0.4  # m/s2 along the way and into the wall; -
+ACROSS = np.array([0.6, 0.8, 0.0])  # the direction of slip
+DOWN, PRESSED, ROUGH = 6.0, 8.0, 0.4  # m/s2 along the slip and into the wall; -
 STANDS_FOR_RIGID = MASS * 30.0**2  # N/m: a step of a hundredth of a second is stable
 
 
 def flight(terms: Terms) -> TinyScene:
-    """Thrown, with gravity if the scheme has it."""
+    """A thrown block, with gravity if the scheme has it."""
     pull = PULL if Term.GRAVITY in terms else np.zeros(3)
     scene = Scene((_block(THROWN),), _law(terms), gravity=pull)
     wrong = {
@@ -37,7 +37,7 @@ def flight(terms: Terms) -> TinyScene:
 
 
 def laden(terms: Terms) -> TinyScene:
-    """Thrown under a dead load."""
+    """A thrown block under a dead load."""
     wrong = {
         "the load is left out": thrown(0 * LOAD, THROWN),
         "the load is reversed": thrown(-LOAD / MASS, THROWN),
@@ -47,7 +47,7 @@ def laden(terms: Terms) -> TinyScene:
 
 
 def slide(terms: Terms) -> TinyScene:
-    """It slides on a wall, pulled by more than friction holds, if the scheme has friction."""
+    """A block that is pulled along a wall and slides, with friction if the scheme has it."""
     mu = ROUGH if Term.FRICTION in terms else 0.0
     pull = DOWN * ACROSS - PRESSED * Z
     weight = Term.GRAVITY in terms
@@ -74,7 +74,7 @@ def _sliding(mu: float) -> Motion:
 
 
 def _law(terms: Terms) -> Contact:
-    """Rigid contact if the scheme has it, as codes for blocks usually do."""
+    """The contact law: rigid if the scheme has that, as codes for blocks usually do."""
     return Contact(np.inf if Term.RIGID_CONTACT in terms else KN)
 
 

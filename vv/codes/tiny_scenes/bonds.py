@@ -24,12 +24,12 @@ RATE = np.sqrt(KN / MASS)  # 1/s
 SOFT = 0.4  # ks/kn
 FACING = np.array([0.6, 0.0, 0.8])  # along which spheres are bonded
 ACROSS = np.array([0.6, 0.8, 0.0])
-GENTLY = 1e-6  # m/s: too slow for a bond to turn by what shows
-TORN = 0.5  # m/s of the velocity that the bond has taken as it breaks
+GENTLY = 1e-6  # m/s: so slow that the rotation of the bond is negligible
+TORN = 0.5  # m/s: the loss of velocity when the bond breaks
 
 
 def pulled(terms: Terms) -> TinyScene:
-    """It oscillates along the bond."""
+    """A sphere that oscillates along the bond."""
     wrong = {
         "the bond is left out": thrown(0 * Z, FACING),
         "the bond is twice as stiff": _swing(np.sqrt(2) * RATE, FACING),
@@ -39,7 +39,7 @@ def pulled(terms: Terms) -> TinyScene:
 
 
 def sheared(terms: Terms) -> TinyScene:
-    """It oscillates across the bond."""
+    """A sphere that oscillates across the bond."""
     rate, speed = np.sqrt(SOFT) * RATE, GENTLY * ACROSS
     wrong = {
         "a bond resists no shear": thrown(0 * Z, speed),
@@ -51,7 +51,7 @@ def sheared(terms: Terms) -> TinyScene:
 
 
 def broken(terms: Terms) -> TinyScene:
-    """It flies off as the bond breaks, at half the force that would hold it."""
+    """A sphere that flies off when the bond breaks, at half the force that would hold it."""
     strength = TORN * KN / RATE
 
     def way(t: Vector) -> tuple[Vector, Vector]:
@@ -67,7 +67,7 @@ def broken(terms: Terms) -> TinyScene:
 
 
 def _swing(rate: float, speed: Vector) -> Motion:
-    """Oscillation from a speed (3,) [m/s]; rate: its angular frequency [1/s]."""
+    """The oscillation with an initial velocity (3,) [m/s]; rate: angular frequency [1/s]."""
     return along(speed, lambda t: (np.sin(rate * t) / rate, np.cos(rate * t)))
 
 
@@ -80,7 +80,7 @@ def _bonded(
     wrong: dict[str, Motion],
     strength: float = np.inf,
 ) -> TinyScene:
-    """A sphere bonded to a held one, from which it faces a direction, with a speed (3,) [m/s]."""
+    """A sphere with a velocity (3,) [m/s], bonded to a fixed one in a direction from it."""
     bodies = (sphere(0 * Z, ~FREE, PLACE - 2 * RADIUS * facing), sphere(speed))
     bond = Bonds(np.array([[0, 1]]), 2 * RADIUS, KN, ks, strength)  # type: ignore[arg-type]
     scene = Scene(bodies, Contact(KN), bonds=bond)

@@ -26,26 +26,26 @@ from vv.scene import Contact, Harmonic, Hertz, Scene, Vector, Wall
 
 RATE = np.sqrt(KN / MASS)  # 1/s
 FACING = np.array([0.6, 0.0, 0.8])  # a wall's normal, along no axis of the frame
-ETA_N = 0.4 * MASS * RATE  # N s/m: a fifth of what is critical
+ETA_N = 0.4 * MASS * RATE  # N s/m: a fifth of the critical value
 SWAY = 0.02  # m, of the wall
 MODULUS, DAMPING, SHORT = 1e7, 0.2, 0.02  # Pa, -, s
-NODES = 4000  # steps by which the path is found that has no closed form
+NODES = 4000  # steps of the integration of a path without a closed form
 
 
 def bounce(terms: Terms) -> TinyScene:
-    """A sphere that touches a wall flies into it."""
+    """A sphere that touches a wall and moves into it."""
     return _against(Contact(KN), "bounce", _rebound(RATE), _met(FACING))
 
 
 def collision(terms: Terms) -> TinyScene:
-    """A sphere that touches another, which is fixed, flies into it."""
+    """A sphere that touches a fixed sphere and moves into it."""
     held, flying = sphere(0 * Z, ~FREE, PLACE - 2 * RADIUS * Z), sphere(-Z)
     scene = Scene((held, flying), Contact(KN))
     return TinyScene("collision", scene, 0.15, along(Z, _rebound(RATE)), _met(Z))
 
 
 def dashpot(terms: Terms) -> TinyScene:
-    """It meets a spring and a dashpot, without tension."""
+    """A sphere that meets a spring and a dashpot, without tension."""
     wrong = {
         "the dashpot is left out": along(FACING, _rebound(RATE)),
         "the dashpot is twice as strong": along(FACING, _damped(2 * ETA_N)),
@@ -63,7 +63,7 @@ def moving_wall(terms: Terms) -> TinyScene:
 
 
 def hertz(terms: Terms) -> TinyScene:
-    """It meets an elastic wall."""
+    """A sphere that meets an elastic wall."""
     wrong = {
         "contact is left out": thrown(0 * Z, -FACING),
         "contact is twice as stiff": along(FACING, _elastic(2 * MODULUS)),
@@ -73,7 +73,7 @@ def hertz(terms: Terms) -> TinyScene:
 
 
 def viscous_hertz(terms: Terms) -> TinyScene:
-    """It meets a viscous elastic wall, without tension."""
+    """A sphere that meets a viscous elastic wall, without tension."""
     wrong = {"viscosity is left out": along(FACING, _elastic(MODULUS))}
     return _against(_law(DAMPING), "viscous Hertz", _viscous, wrong, SHORT)
 
@@ -85,7 +85,7 @@ def _law(damping: float) -> Contact:
 def _against(
     law: Contact, name: str, way: Way, wrong: Mapping[str, Motion], lasting: float = 0.15
 ) -> TinyScene:
-    """A sphere that touches a wall flies into it at 1 m/s."""
+    """A sphere that touches a wall and moves into it at 1 m/s."""
     scene = Scene((Wall(PLACE - RADIUS * FACING, FACING), sphere(-FACING)), law)
     return TinyScene(name, scene, lasting, along(FACING, way), wrong)
 
@@ -102,7 +102,7 @@ def _met(direction: Vector) -> Mapping[str, Motion]:
 
 
 def _rebound(rate: float) -> Way:
-    """Displacement after contact with a spring at 1 m/s; rate: angular frequency [1/s]."""
+    """The displacement after contact with a spring at 1 m/s; rate: angular frequency [1/s]."""
 
     def way(t: Vector) -> tuple[Vector, Vector]:
         on, after = np.minimum(t, np.pi / rate), np.maximum(t - np.pi / rate, 0.0)
@@ -150,7 +150,7 @@ def _elastic(modulus: float) -> Way:
     from scipy.special import beta, betaincinv
 
     deepest = (1.25 * MASS / (4 / 3 * modulus * np.sqrt(RADIUS))) ** 0.4
-    half = 0.4 * beta(0.4, 0.5) * deepest  # s, to the deepest, at 1 m/s
+    half = 0.4 * beta(0.4, 0.5) * deepest  # s, to the largest overlap, at 1 m/s
 
     def way(t: Vector) -> tuple[Vector, Vector]:
         share = np.minimum(np.minimum(t, 2 * half), 2 * half - np.minimum(t, 2 * half)) / half
@@ -162,7 +162,7 @@ def _elastic(modulus: float) -> Way:
 
 
 def _viscous(t: Vector) -> tuple[Vector, Vector]:
-    """By the classical Runge-Kutta rule, with an error far below every tolerance."""
+    """The path by the classical Runge-Kutta method, with an error far below every tolerance."""
     factor, step = 4 / 3 * MODULUS * math.sqrt(RADIUS), float(t[-1]) / NODES
     viscous = 2 * DAMPING * math.sqrt(1.5 * factor * MASS)
 

@@ -26,7 +26,7 @@ from vv.scene import Contact, Fluid, Harmonic, Pulse, Scene, Term, Vector, Wall
 
 ETA = 6.0  # N s/m
 FLUID = Fluid(density=50.0, viscosity=2.0)  # kg/m3, Pa s: a Reynolds number of 19 at first
-POINTS = 30  # at which a speed is taken to integrate it
+POINTS = 30  # steps of the integration
 THROWN = np.array([1.0, 2.0, 3.0])  # m/s
 PULL = np.array([-4.0, -10.0, 6.0])  # m/s2
 LOAD = np.array([9.0, -6.0, 12.0])  # N
@@ -36,7 +36,7 @@ FREQUENCY, PHASE, UNTIL = 1.5, 0.7, 0.5  # Hz, rad, s
 
 
 def flight(terms: Terms) -> TinyScene:
-    """Thrown, with gravity if the scheme has it."""
+    """A thrown sphere, with gravity if the scheme has it."""
     pull = _pull(terms)
     scene = Scene((sphere(THROWN),), Contact(KN), gravity=pull)
     wrong = {
@@ -49,7 +49,7 @@ def flight(terms: Terms) -> TinyScene:
 
 
 def laden(terms: Terms) -> TinyScene:
-    """Thrown under a dead load."""
+    """A thrown sphere under a dead load."""
     body = dataclasses.replace(sphere(THROWN), load=LOAD[None])
     wrong = {
         "the load is left out": thrown(0 * LOAD, THROWN),
@@ -62,7 +62,7 @@ def laden(terms: Terms) -> TinyScene:
 
 
 def lock(terms: Terms) -> TinyScene:
-    """A sphere free along y alone, with a force across, or else the push of a wall."""
+    """A sphere that is free along y only, with a transverse load, or else the force of a wall."""
     free, speed, pull = Y > 0, 2.0 * Y, _pull(terms)
     if pull.any():
         scene = Scene((sphere(speed, free),), Contact(KN), gravity=pull)
@@ -74,7 +74,7 @@ def lock(terms: Terms) -> TinyScene:
 
 
 def oblique(terms: Terms) -> TinyScene:
-    """A sphere free along one direction that is no axis of the frame, with a force across."""
+    """A sphere that is free along one oblique direction only, with a transverse force."""
     way, pull = TURNED[0], _pull(terms)
     body = sphere(way, np.array([True, False, False]))
     scene = Scene((body,), Contact(KN), gravity=pull, axes=TURNED)
@@ -84,7 +84,7 @@ def oblique(terms: Terms) -> TinyScene:
 
 
 def carried(terms: Terms) -> TinyScene:
-    """A sphere free along y alone, which moves steadily along the others."""
+    """A sphere that is free along y only, and moves steadily along the other axes."""
     free, pull = Y > 0, _pull(terms)
     scene = Scene((sphere(THROWN, free),), Contact(KN), gravity=pull)
     wrong = {"locked directions stand still": thrown(pull * free, THROWN * free)}
@@ -149,7 +149,7 @@ def pulse(terms: Terms) -> TinyScene:
 
 
 def _in_fluid(by: float, share: float) -> Callable[[Vector], tuple[Vector, Vector]]:
-    """Way and speed by v' = -k v (1 + c v^q), for which v^-q + c grows exponentially.
+    """The path and speed for v' = -k v (1 + c v^q), by which v^-q + c grows exponentially.
 
     by: times k; share: times c.
     """
@@ -177,7 +177,7 @@ def _sine() -> Harmonic:
 
 
 def _under(size: Vector, phase: float, until: float) -> Motion:
-    """The path under `size` sin(rate t + phase) [m/s2] until a time, thrown."""
+    """The path of a thrown sphere under `size` sin(rate t + phase) [m/s2] until a time."""
     rate = 2 * np.pi * FREQUENCY
 
     def way(t: Vector) -> tuple[Vector, Vector]:

@@ -24,12 +24,12 @@ from vv.codes.tiny_scenes.tiny_scene import (
 )
 from vv.scene import Contact, Scene, Vector, Wall
 
-ACROSS = np.array([0.6, 0.8, 0.0])  # the way of slip
+ACROSS = np.array([0.6, 0.8, 0.0])  # the direction of slip
 LASTING = 0.5  # s
 SLIPS = 0.547161  # rad of its swing, a, at which it slips; with a tan a = 1/3 it stops at 4 a
 RATE = 10 * SLIPS / LASTING  # 1/s, so that both moments are multiples of the steps
 PRESSED, DEPTH = 60.0, 2e-4  # N, m
-TURNING = 3.5  # times as fast slip of a sphere changes that is free to turn: 1 + 5/2
+TURNING = 3.5  # ratio by which slip changes faster if the sphere can rotate: 1 + 5/2
 TURNED_BACK = -1.5  # the same if friction turns it the other way: 1 - 5/2, so that slip grows
 BACK = (-TURNED_BACK / TURNING) ** 0.5  # rate of its growth over that of the swing
 STIFF, ROUGH, FAST = 1500.0, 0.3, 2.0  # N/m, -, m/s, of slip on a viscous contact
@@ -38,7 +38,7 @@ REVERSED = "the shear force is reversed"
 
 
 def skid(terms: Terms) -> TinyScene:
-    """Pressed on a wall it slides, is stopped by the shear spring, and moves back."""
+    """A sphere pressed on a wall: it slides, is stopped by the shear spring, and moves back."""
     wrong = {
         "friction is left out": thrown(0 * Z, ACROSS),
         "friction is half as strong": _skid(RATE, 0.5 * _reach(RATE)),
@@ -51,7 +51,7 @@ def skid(terms: Terms) -> TinyScene:
 
 
 def roll(terms: Terms) -> TinyScene:
-    """The same, free to rotate: when slip ends it rolls."""
+    """The same sphere, free to rotate: it rolls when slip ends."""
     wrong = {
         "rotation is left out": _skid(RATE / np.sqrt(TURNING), _reach(RATE)),
         "friction is left out": thrown(0 * Z, ACROSS),
@@ -65,7 +65,7 @@ def roll(terms: Terms) -> TinyScene:
 
 
 def viscous_skid(terms: Terms) -> TinyScene:
-    """It meets a wall with a dashpot obliquely and slips; the dashpot adds normal force."""
+    """A sphere that meets a viscous wall obliquely and slips; the dashpot adds normal force."""
     law = Contact(KN, STIFF, ROUGH, eta_n=ETA_N)
     scene = Scene((Wall(PLACE - RADIUS * Z, Z), sphere(FAST * ACROSS - Z)), law)
     wrong = {
@@ -78,7 +78,7 @@ def viscous_skid(terms: Terms) -> TinyScene:
 def _on_floor(
     name: str, times: float, motion: Motion, wrong: dict[str, Motion], turns: bool
 ) -> TinyScene:
-    """A sphere locked along a wall's normal; times: how much less it weighs for slip."""
+    """A sphere locked along a wall's normal; times: the factor by which slip accelerates."""
     ks = RATE**2 * MASS / times
     law = Contact(PRESSED / DEPTH, ks, ks * _reach(RATE) / PRESSED)
     body = sphere(ACROSS, Z == 0)
@@ -95,7 +95,7 @@ def _reach(rate: float) -> float:
 def _slip(t: Vector, rate: float, reach: float) -> tuple[Vector, Vector]:
     """Slip [m] and its rate from 1 m/s: on the spring, sliding, and back on the spring.
 
-    A spring that yields beyond 1/rate turns back before it does.
+    A spring with its limit beyond 1/rate reverses before it yields.
     """
     reach = min(reach, 1.0 / rate)
     begins = float(np.arcsin(reach * rate)) / rate
@@ -113,7 +113,7 @@ def _skid(rate: float, reach: float) -> Motion:
 
 
 def _driven(rate: float) -> Way:
-    """Slip [m] and its rate from 1 m/s, where the spring drives on what it should hold.
+    """Slip [m] and its rate from 1 m/s, if the spring acts in the wrong direction.
 
     rate: 1/s, at which slip grows while the spring, which yields where that of RATE does, holds.
     """
@@ -134,7 +134,7 @@ def _roll(reach: float) -> Motion:
 
 
 def _of_centre(slip: Way, turning: float = TURNING) -> Motion:
-    """The motion of the centre, which loses 1/3.5 of what the slip loses; the spin the rest."""
+    """The motion of the centre, with 1/3.5 of the change of slip; the spin has the rest."""
 
     def way(t: Vector) -> tuple[Vector, Vector]:
         moved, speed = slip(t)
@@ -144,7 +144,7 @@ def _of_centre(slip: Way, turning: float = TURNING) -> Motion:
 
 
 def _landing(t: Vector) -> tuple[Vector, Vector]:
-    """Displacement along the normal of a sphere that meets the wall at 1 m/s."""
+    """The displacement along the normal of a sphere that meets the wall at 1 m/s."""
     overlap, end = damped(ETA_N)
     depth, closing = overlap(np.minimum(t, end))
     way, speed = -depth - np.maximum(t - end, 0.0) * closing, -closing

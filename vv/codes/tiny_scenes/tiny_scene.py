@@ -1,4 +1,4 @@
-"""Defines a tiny scene: the exact motion of its last body, and that with known mistakes."""
+"""Defines tiny scenes: the exact motion of the last body, and its motion under known mistakes."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ PLACE = np.array([0.3, 0.2, 0.1])  # m; not the origin, which would hide a mista
 FREE = np.ones(3, bool)
 OUTPUTS = 20
 STEPS = (100, 200, 400)  # of a run; three, so that an order can be seen
-# Of the largest way: how near an answer must be to a known mistake. A code of first order adds an
-# error of its own, which may be half of this where it is right.
+# Relative to the largest displacement: how near an answer must be to a known mistake. A code of
+# first order adds an error of its own, which may be half of this where it is right.
 ALIKE = 0.04
 
 
 @dataclass(frozen=True)
 class TinyScene:
-    """A tiny scene: the motion of its last body, and the motion if something were left out.
+    """A tiny scene, with the exact motion of its last body and that under known mistakes.
 
     kn: the stiffness that represents rigid contact [N/m]. smooth: whether an order in dt can be
-    observed, which is not so if a force ends abruptly.
+    observed, which an abrupt end of a force prevents.
     """
 
     name: str
@@ -49,7 +49,7 @@ class TinyScene:
         return sum(len(group) for group in self.scene.bodies) - 1
 
     def asks(self, scheme: Scheme) -> list[Ask]:
-        """The question at several steps, the longest first; one if the scheme has no step."""
+        """The asks at several steps, the longest first; a single ask if the scheme has no step."""
         goal = History(self.duration, self.duration / OUTPUTS)
         steps = [self.duration / n for n in STEPS] if "dt" in scheme.knobs else [None]
         kn = self.kn if "kn" in scheme.knobs else None
