@@ -8,12 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cases.blocks import incline
 from cases.bonds import tetrahedral_unit, unlike_bonds
 from cases.contact import bounce, single_contact
-from cases.hard import galperin, resting, shaken_corner
+from cases.hard import galperin, resting, settling, shaken_corner, skid
 from cases.impact import hertz_impact, kharaz, oblique_impact
+from cases.stability import long_swing
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
+from vv.engines.dem.space.model import space
+from vv.engines.dem.terms import near_contacts
+from vv.engines.dem.terms.near_contacts import NearContacts
 from vv.scene import Contact, Scene, Spheres, Wall
 
 GROUPS = (
@@ -24,6 +29,10 @@ GROUPS = (
     ((oblique_impact.CASE, "pair-alloy-linear"), (shaken_corner.CASE, "viscous")),
     ((single_contact.CASE, "T3-free"), (single_contact.CASE, "T4-free")),
     ((tetrahedral_unit.CASE, "gamma-0"), (unlike_bonds.CASE, "row")),
+    ((tetrahedral_unit.CASE, "turning"), (unlike_bonds.CASE, "spinning")),
+    ((single_contact.CASE, "T1"), (long_swing.CASE, "pressed")),
+    ((single_contact.CASE, "T2"), (settling.CASE, "drop")),
+    ((skid.CASE, "wall"), (incline.CASE, "gravity-10")),
 )  # fmt: skip
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -49,6 +58,19 @@ def test_scenes_of_a_kind_share_one_kernel(group: tuple[tuple[Any, str], ...]) -
 def test_what_steps_without_friction_and_rotation_is_no_dearer_for_those_with_them() -> None:
     smooth, rough = (asked(galperin.CASE, "31"), asked(kharaz.CASE, "linear"))
     assert kernel_of(smooth) != kernel_of(rough)
+
+
+def test_spheres_that_bonds_hold_apart_ask_no_step_of_contacts() -> None:
+    held, apart = (
+        space(asked(case, variant).scene).state
+        for case, variant in ((tetrahedral_unit.CASE, "turning"), (unlike_bonds.CASE, "spinning"))
+    )
+    squares = [
+        near_contacts.highest_square(one.term(NearContacts), one.near, one.bodies)
+        for one in (held, apart)
+        if one.near is not None
+    ]
+    assert squares[0] == 0.0 < squares[1]
 
 
 def viscous(mu: float, spins: bool) -> Ask:

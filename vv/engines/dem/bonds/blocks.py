@@ -41,11 +41,14 @@ class Blocks(NamedTuple):
     window: Index
 
 
-def bond_blocks(springs: Springs, own: Vector, ground: int) -> Blocks:
-    """The blocks of springs (`law.py`); own: (4, b) kn, ks and both strengths of each bond."""
+def bond_blocks(springs: Springs, own: Vector, ground: int, joined: bool = True) -> Blocks:
+    """The blocks of springs (`law.py`); own: (4, b) kn, ks and both strengths of each bond.
+
+    joined: whether a value common to all bonds is stored once.
+    """
     rows, offset, first, strained, _, radius = springs
     # Without shear springs only kn is read: a common value is no faster than that of each bond.
-    alike = bool(own[1].any() and (own == own[:, :1]).all())
+    alike = bool(joined and own[1].any() and (own == own[:, :1]).all())
     numbers = np.zeros((LIKE if alike else ALL, len(rows)))
     numbers[OFFSET:SLIP], numbers[FIRST], numbers[STRAINED] = offset.T, first, strained
     numbers[RADII:KN] = radius.T

@@ -38,7 +38,8 @@ def bonds_of(scene: Scene, moves: Mask, row: Index) -> Bonded:
     stretch, ks = first - bonds.length[order], bonds.ks[order]
     kn, tension, shear = bonds.kn[order], bonds.tension[order], bonds.shear[order]
     springs = row[pairs], offset, first, stretch, kn, spheres.radius[pairs]
-    laid = bond_blocks(springs, np.stack([kn, ks, tension, shear]), int(moves.sum()))
+    joined = len(pairs) > WIDE or not bonds_turn_alone(scene)
+    laid = bond_blocks(springs, np.stack([kn, ks, tension, shear]), int(moves.sum()), joined)
     frail = (tension, shear, scene.contact.mu, pairs) if Term.BREAKAGE in scene.terms() else None
     state = np.zeros((0 if frail is None else len(laid.ends), WIDE), np.uint8)
     return Bonded(springs, ks if ks.any() else None, laid, frail, state)
@@ -47,11 +48,12 @@ def bonds_of(scene: Scene, moves: Mask, row: Index) -> Bonded:
 def search_data(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
     """The data of the neighbour search, or None if it is not needed.
 
-    It is not needed where no spheres can touch, or where there are few spheres and no bonds, so
-    that all pairs are listed once. state: of the bonds (`vv.engines.dem.bonds.chunk_forces`).
+    It is not needed where no spheres can touch, unless bonds turn them, or where there are few
+    spheres and no bonds, so that all pairs are listed once. state: of the bonds
+    (`vv.engines.dem.bonds.chunk_forces`).
     """
     spheres = scene.spheres
-    if Term.SPHERE_CONTACT not in scene.terms():
+    if Term.SPHERE_CONTACT not in scene.terms() and not bonds_turn_alone(scene):
         return None
     if scene.bonds is None and len(spheres) < MANY:
         return None
@@ -59,6 +61,17 @@ def search_data(scene: Scene, moves: Mask, row: Index, state: State) -> Near | N
     start = np.searchsorted(pairs[:, 0], np.arange(len(spheres) + 1))
     held = start, np.array(pairs[:, 1]), state.reshape(-1)
     return Near(spheres.position, spheres.radius, row, skin, *held, scene.contact.viscous)
+
+
+def bonds_turn_alone(scene: Scene) -> bool:
+    """Whether bonds turn spheres, without friction, dashpots or Hertzian contact.
+
+    All these scenes share a kernel, with a neighbour search where no spheres can touch, and with
+    the values of few bonds stored for each: both cost little beside bonds that turn spheres.
+    """
+    terms = scene.terms()
+    others = {Term.FRICTION, Term.CONTACT_VISCOSITY, Term.HERTZ}
+    return {Term.BOND_SHEAR, Term.ROTATION} <= terms and not others & terms
 
 
 def _bonded_pairs(scene: Scene, moves: Mask) -> tuple[Index, Index]:

@@ -173,10 +173,11 @@ def _built(
         Term.OBLIQUE_LOCK: Term.OBLIQUE_LOCK in scene.terms(),
         Term.CONTACT_VISCOSITY: viscous,
     }
+    constant = normal is not None or bool(acting)  # zero at a contact costs nothing: fewer kernels
     state = LineState(
         velocity=np.array([spheres.velocity[i] @ along]),
         mass=mass,
-        force=sum(acting.values()) if acting else None,
+        force=sum(acting.values(), start=0.0) if constant else None,
         normal=normal,
         friction=friction,
         eta=scene.eta if scene.eta > 0 else None,

@@ -17,7 +17,7 @@ def move_on_wall(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
     dt: float,
     velocity: Vector,
     mass: float,
-    force: tuple[float, float] | None,
+    force: tuple[float, float],
     kn: float,
     gap: float,
     friction: tuple[float, float, float] | None,
@@ -49,10 +49,8 @@ def move_on_wall(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
     start_p, start_q = velocity[0], velocity[1]
     overlap = -gap
     push = kn * max(overlap, 0.0)
-    load_p, load_q = push, 0.0
+    load_p, load_q = push + force[0], force[1]
     put_in = 0.5 * mass * (start_p * start_p + start_q * start_q) + 0.5 * push * max(overlap, 0.0)
-    if force is not None:
-        load_p, load_q = load_p + force[0], load_q + force[1]
     if friction is not None:
         ks, mu, shear = friction
         cap = mu * push
@@ -92,9 +90,7 @@ def move_on_wall(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
                 overlap += wall_p
             push = kn * max(overlap, 0.0)
             changes += was_open != (overlap <= 0.0)
-            load_p, load_q = push, 0.0
-            if force is not None:
-                load_p, load_q = load_p + force[0], load_q + force[1]
+            load_p, load_q = push + force[0], force[1]
             if friction is not None:
                 shear = 0.0
                 if overlap > 0.0:
@@ -129,9 +125,7 @@ def move_on_wall(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
             energy[row, 2], energy[row, 3] = 0.5 * shear * shear / ks, 0.5 * slipped / ks
         energy[row, 4], energy[row, 5], energy[row, 6] = 0.5 * dt * dragged, shook, moved
         energy[row, 7] = changes
-        work = shook + moved
-        if force is not None:
-            work += force[0] * p + force[1] * q
+        work = shook + moved + (force[0] * p + force[1] * q)
         done = max(done, work)
         held = energy[row, 0] + energy[row, 1] + energy[row, 2]
         fast = 0.5 * mass * (after_p * after_p + after_q * after_q)

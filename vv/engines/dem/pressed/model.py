@@ -39,7 +39,7 @@ class PressedState(NamedTuple):
 
     velocity: Vector
     mass: float
-    force: tuple[float, float] | None
+    force: tuple[float, float]
     kn: float
     gap: float
     friction: tuple[float, float, float] | None
@@ -133,7 +133,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     state = PressedState(
         velocity=axes[:2] @ s.velocity[0],
         mass=float(s.mass[0]),
-        force=(float(force[0]), float(force[1])) if force.any() else None,
+        force=(float(force[0]), float(force[1])),  # zero costs nothing: fewer kernels
         kn=scene.contact.kn,
         gap=float((s.position[0] - scene.walls[0].point) @ axes[0] - s.radius[0]),
         friction=(scene.contact.ks, scene.contact.mu, start) if rubs else None,

@@ -58,7 +58,10 @@ def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:
 
 
 def highest_square(term: NearContacts, near: Near, bodies: Bodies) -> float:
-    """An upper bound of w^2 [1/s2] of a single contact between any two spheres."""
+    """An upper bound of w^2 [1/s2] of a single contact between any two spheres; 0 without any."""
+    n, still = len(near.radius), len(near.radius) - len(bodies.mass)
+    if len(near.broken) == 0 and len(near.partner) == (n * (n - 1) - still * (still - 1)) // 2:
+        return 0.0  # unbreakable bonds hold all pairs
     lightest = np.sort(1.0 / bodies.mass)[-2:].sum()
     across = 1.0 / bodies.mass
     if bodies.turns:
