@@ -4,18 +4,30 @@ from __future__ import annotations
 
 import dataclasses
 import re
+from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.scenes.blocks.dda_scenes import asked, general, run, shaken
+from tests.scenes.blocks.dda_scenes import (
+    DOWN,
+    FLOOR,
+    asked,
+    box,
+    general,
+    moved,
+    run,
+    shaken,
+    slope,
+)
 from vv.ask import Ask, Run
-from vv.engines.dda import DEFAULT, LAGGED, Formulation
+from vv.engines.dda import BORNE, DEFAULT, LAGGED, Formulation
 from vv.engines.dda.general import rows
 from vv.engines.dda.general.energy import KINETIC, NORMAL, SHEAR, STRAIN, TERMS
 from vv.engines.dda.solve import HELD, prepare
+from vv.engines.dda.stepping import generalised_alpha
 from vv.engines.kernels.compiled import compiled
-from vv.scene import Vector
+from vv.scene import Contact, Harmonic, Scene, Vector
 
 WORST = re.compile(
     r"friction off by (.*) N, (.*) iterations, penetration (.*) m, (.*) N beyond mu N; "
@@ -94,3 +106,31 @@ def test_forces_that_are_in_the_momentum_alone_do_work_along_the_way_of_the_quic
     assert prepared._worked(report, 8.0) == pytest.approx(3.0 * 0.1 * speed)
     lagged = dataclasses.replace(prepared, formulation=LAGGED)
     assert lagged._worked(report, 8.0) == 0.0
+
+
+def test_what_sticks_is_told_from_what_should_slip() -> None:
+    """A block that friction holds on a slope takes hardly more than one solution a step."""
+    done = run(asked(slope(20, 25), 1e-3, 1e8, 0.05), BORNE)
+    *_, solutions, cuts, failed = worst(done)
+    assert (cuts, failed) == (0.0, 0.0)
+    assert 50 <= solutions < 2 * 50
+
+
+def test_a_step_of_generalised_alpha_has_the_published_coefficients() -> None:
+    """For a spectral radius of 0.8, by hand from Eqs. 17, 20 and 25."""
+    found = generalised_alpha(0.8)
+    assert (found.alpha_m, found.alpha_f) == pytest.approx((1 / 3, 4 / 9))
+    assert (found.beta, found.gamma) == pytest.approx((25 / 81, 11 / 18))
+
+
+@pytest.mark.parametrize("route", [run, general])
+def test_a_block_that_sticks_is_carried_by_a_base_that_moves(route: Any) -> None:
+    base = Harmonic(np.array([1e-3, 0.0, 0.0]), np.array([2.0, 0.0, 0.0]), np.zeros(3))
+    rate = 2 * np.pi * 2.0 * 1e-3 * np.array([1.0, 0.0, 0.0])
+    carried = dataclasses.replace(box((0.5, 0.5, 0.5), 2000.0), velocity=rate)
+    scene = Scene(
+        (dataclasses.replace(FLOOR, motion=base), carried), Contact(np.inf, mu=0.6), gravity=DOWN
+    )
+    done = route(asked(scene, 1e-3, 1e9, 0.5), DEFAULT)
+    due = 1e-3 * np.sin(4 * np.pi * done.times)
+    assert np.abs(moved(done)[:, 0] - due).max() <= 1e-2 * 1e-3
