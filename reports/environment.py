@@ -38,12 +38,12 @@ from vv.records.outcomes import Outcome
 from vv.records.reading import tried
 
 HERE = Path(__file__).parent
-LOOKS = "<!-- looks -->"  # in a template: where the looks of what is in the page are defined
-COLUMNS = (  # of the table of a case; `vv report --csv` writes more
+LOOKS = "<!-- looks -->"  # in a template: the place of the definitions of marks
+COLUMNS = (  # columns of the table of a case; `vv report --csv` writes more
     "variant", "code", "scheme", "dt", "kn", "reason", "steps", "timed", "solve_cpu",
     "quantity", "unit", "value", "reference", "error", "norm", "tolerance", "verdict", "note",
 )  # fmt: skip
-DIGITS = {  # of all other numbers seven
+DIGITS = {  # all other numbers have seven digits
     "dt": ".6g", "kn": ".6g", "solve_cpu": ".3g", "error": ".4g", "tolerance": ".4g",
 }  # fmt: skip
 FILTERS = (
@@ -87,7 +87,7 @@ def _templates() -> jinja2.Environment:
 
 
 def _compiled() -> jinja2.BytecodeCache | None:
-    """Where compiled templates are kept: a folder that is the user's alone; None without one."""
+    """The private folder of compiled templates; None without one."""
     try:
         return jinja2.FileSystemBytecodeCache(str(cache_root("templates")))
     except OSError:
@@ -194,7 +194,7 @@ def _code(book: Book, name: str) -> codes_page.Code:
 
 @functools.lru_cache(maxsize=1)
 def _of_codes(book: Book) -> tuple[Any, Any]:
-    """What all pages of codes share."""
+    """The data that all pages of codes share."""
     return overview(book), ranks(book)
 
 
@@ -214,15 +214,15 @@ def case_csv(book: Book, name: str) -> str:
 
 
 def _brief(column: str, value: Any) -> Any:
-    """A number to as many digits as mean anything; all else as it is."""
+    """A number to its meaningful digits; other values unchanged."""
     return f"{value:{DIGITS.get(column, '.7g')}}" if isinstance(value, float) else value
 
 
 @functools.cache
 def tag(outcome: ShownOutcome, count: int | None = None, quiet: bool = False) -> Markup:
-    """An outcome as symbol and word, and how many of it there are.
+    """An outcome as symbol and word, with the number of its records.
 
-    quiet: the gate is not red for it.
+    quiet: it does not turn the gate red.
     """
     many = "" if count is None else f" {escape(count)}"
     look = "known" if quiet and outcome.troubling else outcome.look

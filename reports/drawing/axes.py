@@ -12,8 +12,8 @@ import numpy as np
 from reports.text import brief, power
 from vv.base.metrics import Vector
 
-DECADES = 6  # labels on a logarithmic axis, at most about this many
-STEPS = 5  # labels on a linear one
+DECADES = 6  # approximate maximum of labels on a logarithmic axis
+STEPS = 5  # the same on a linear axis
 LEAST, LARGEST = sys.float_info.min_10_exp, sys.float_info.max_10_exp  # of powers of ten
 
 
@@ -29,7 +29,7 @@ class Axis:
     ticks: tuple[tuple[float, str], ...]
 
     def at(self, values: Vector | float) -> Vector:
-        """Places of values; nan for what a logarithm does not have."""
+        """The positions of values; nan for values without a logarithm."""
         known = np.asarray(values, float)
         if self.log:
             known = np.log10(np.where(known > 0, known, np.nan))
@@ -41,11 +41,11 @@ class Axis:
         return self.start + (known - self.low) / (self.high - self.low) * (self.end - self.start)
 
     def limits(self) -> str:
-        """Its limits, and 1 where they are powers of ten: what a page's script needs of it."""
+        """The limits, and 1 if they are powers of ten, for the script of the page."""
         return f"{self.low:.6g} {self.high:.6g}{' 1' if self.log else ''}"
 
     def value(self, part: float) -> float:
-        """The value at a part of the way from start to end."""
+        """The value at a fraction of the way from start to end."""
         found = self.low + part * (self.high - self.low)
         return 10.0**found if self.log else found
 

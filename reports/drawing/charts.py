@@ -41,7 +41,7 @@ class Curve:
 class Rim:
     """A point outside the axes: above (no finite error) or below (too small).
 
-    x None: nothing is known of its place along the axis.
+    x None: its place along the axis is unknown.
     """
 
     mark: Mark
@@ -131,7 +131,7 @@ def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
 
 
 def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | None:
-    """The front of error and cost as stairs; None where nothing inside is timed."""
+    """The Pareto front of error and cost as stairs; None if no point inside is timed."""
     inside = [p for ladder in ladders for p in ladder.points if _inside(p, low) and p.timed]
     front = unbeaten(sorted((p.cpu, p.error or 0.0) for p in inside if p.cpu > 0))
     if not front:
@@ -163,14 +163,14 @@ def _stairs(mark: Mark, row: Sequence[float], end: float) -> Curve:
 
 
 def _relative(history: History) -> Vector | None:
-    """The pointwise relative error; None where there is nothing to divide by."""
+    """The pointwise relative error; None if the reference is zero throughout."""
     if history.reference is None or not np.abs(history.reference).max() > 0:
         return None
     return pointwise_history(history.value, history.reference)
 
 
 def _over_time(history: History, y: Vector, place: int, places: int, line: bool) -> Curve:
-    """A curve whose few markers lie between those of the others, so that none hides another."""
+    """A curve over time, with few markers, which are offset from those of other curves."""
     stride = max(1, len(y) // MARKERS)
     marked = np.zeros(len(y), bool)
     marked[place * stride // places :: stride] = True
@@ -179,7 +179,7 @@ def _over_time(history: History, y: Vector, place: int, places: int, line: bool)
 
 
 def _sinking(ladders: Iterable[Ladder]) -> float:
-    """Below this an error is put on the rim: zero, or far below all errors that have a step."""
+    """The limit below which errors are drawn on the rim: 0, or far below errors with a step."""
     stepped = [p.error for ladder in ladders for p in ladder.points if p.dt and p.error]
     return SUNK * min(stepped) if stepped else 0.0
 
@@ -223,7 +223,7 @@ def _tip(point: Point) -> str:
 
 
 def _rims(ladders: Sequence[Ladder], low: float, axis: str) -> tuple[Rim, ...]:
-    """The points outside: those that failed above, those too small for the axis below."""
+    """The points outside the axes: failed ones above, those with too small errors below."""
     found = []
     for ladder in ladders:
         for p in ladder.points:

@@ -29,7 +29,7 @@ class History:
 
 @dataclass(frozen=True)
 class Point:
-    """A rung of a ladder; error None: it gave none that is finite."""
+    """A rung of a ladder; error: None if it is not finite."""
 
     dt: float | None
     error: float | None
@@ -53,7 +53,7 @@ class Ladder:
 def histories(
     records: Sequence[Record], quantity: str, marks: Mapping[str, Mark], arrays: Arrays
 ) -> list[History]:
-    """Each scheme's series at its finest rung that ran, where the store still has it."""
+    """The series of each scheme at its finest rung that ran, if the store still has it."""
     found = []
     for name, pile in _by_label(records).items():
         ran = [r for r in pile if r.quantity(quantity)]
@@ -77,7 +77,7 @@ def ladders(records: Sequence[Record], quantity: str, marks: Mapping[str, Mark])
 
 
 def same_curve(one: Sequence[History], other: Sequence[History]) -> bool:
-    """Whether two variants have the same reference up to its sign, so that one plot suffices."""
+    """Whether two variants have the same reference up to its sign, so that one plot is enough."""
     first, second = (next(iter(h), None) for h in (one, other))
     if first is None or second is None or first.reference is None or second.reference is None:
         return False

@@ -59,7 +59,7 @@ def _zoom_data(chart: Chart, x: Axis, y: Axis) -> str:
 
 
 def _axes(chart: Chart) -> tuple[Axis, Axis]:
-    """The axes, around all that is drawn."""
+    """The axes, with limits around all data."""
     steps = [rim.x for rim in chart.rims if rim.x]
     across = _values(chart, "x", steps)
     if chart.x_log:
@@ -71,7 +71,7 @@ def _axes(chart: Chart) -> tuple[Axis, Axis]:
         more = chart.exact[1] if chart.exact else up
         return x, linear_axis(np.concatenate([up, more[np.isfinite(more)]]), BOTTOM, TOP)
     up = up[up > 0]
-    if not chart.x_log and len(up):  # dips where an error changes sign tell nothing
+    if not chart.x_log and len(up):  # dips where an error changes sign are meaningless
         up = up[up >= np.percentile(up, 4)]
     return x, log_axis(up, 0.06, BOTTOM, TOP)
 
@@ -99,7 +99,7 @@ def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
 
 
 def _curve(curve: Curve, x: Axis, y: Axis, size: int, name: str, buckets: int) -> str:
-    """A group: the line, the markers, rings about those that are troubling, and the name."""
+    """The group of a curve: line, markers, rings around those out of bounds, and name."""
     px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP - 4, BOTTOM + 4)
     parts = []
     if curve.joined.sum() > 1:
@@ -164,7 +164,7 @@ def _rim(rim: Rim, x: Axis, place: int) -> str:
 
 
 def _end(curve: Curve, x: Axis, y: Axis) -> tuple[float, float]:
-    """Where a curve is named: its rightmost point."""
+    """The point at which a curve is named: its rightmost one."""
     px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP, BOTTOM)
     finite = np.flatnonzero(np.isfinite(px) & np.isfinite(py))
     if not len(finite):
@@ -189,7 +189,7 @@ def _names(ends: Mapping[str, tuple[float, float]]) -> dict[str, str]:
 
 
 def _apart(wanted: Sequence[float]) -> list[float]:
-    """Ascending places as near to the wanted ones as a line's height between them allows."""
+    """Ascending positions, a line apart, and as close to the wanted ones as possible."""
     room = BOTTOM + 30 - TOP
     step = min(LEADING, room / max(1, len(wanted)))
     found: list[float] = []

@@ -13,7 +13,7 @@ from reports.marks import Mark
 from vv.base.metrics import Vector
 from vv.insight.stability_summary import WRONG
 
-LEAST = 3  # stiffnesses and steps without which there is no map
+LEAST = 3  # the fewest stiffnesses and steps of a map
 Mask = npt.NDArray[np.bool_]
 Critical = Mapping[float | None, float]
 NO_CRITICAL: Critical = {}
@@ -41,7 +41,7 @@ class Panel:
         return float(self.kn[np.nanargmin(self.error[:, int(np.argmax(columns))])])
 
     def lost(self) -> Mask:
-        """(m, n) where it blew up, or gave an answer off by as much as the answer itself."""
+        """A mask (m, n) of points that diverged or have an error of 100 % or more."""
         return np.asarray(~self.refused & ~(self.error < WRONG))
 
 
@@ -91,5 +91,5 @@ def _panel(pile: Sequence[Ladder], critical: Critical) -> Panel | None:
 
 
 def _ratio(dt: float, critical: float | None) -> float:
-    """A step as it is, or over the critical one, without the roundings of that."""
+    """A step, or its rounded ratio to the critical step."""
     return dt if critical is None else float(f"{dt / critical:.6g}")

@@ -16,7 +16,7 @@ from vv.records.case_facts import QuantityFacts
 def phase_figures(
     along: Sequence[History], up: Sequence[History], facts: tuple[QuantityFacts, QuantityFacts]
 ) -> list[Figure]:
-    """One picture of the schemes that have both quantities; none if there are none."""
+    """A picture of all schemes that have both quantities; empty if there are none."""
     others: Mapping[str, History] = {history.mark.label: history for history in up}
     pairs = [(one, others[one.mark.label]) for one in along if one.mark.label in others]
     if not pairs:
@@ -38,7 +38,7 @@ def _curve(along: History, up: History) -> Curve:
 
 
 def _exact(pairs: Sequence[tuple[History, History]]) -> tuple[np.ndarray, np.ndarray] | None:
-    """The exact curve, of the scheme that was asked at most times."""
+    """The exact curve, from the scheme with the most output times."""
     known = [(a.reference, b.reference) for a, b in pairs]
     whole = [(a, b) for a, b in known if a is not None and b is not None]
     return max(whole, key=lambda pair: len(pair[0])) if whole else None

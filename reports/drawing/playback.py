@@ -16,9 +16,9 @@ from vv.records.case_facts import VariantFacts
 from vv.scene.picture.moved import Moved
 
 FRAMES = 40
-PARTS = 1000  # of the exact motion, to which all motions are told: pixels show no more
-FAR = 9.0  # times the exact motion: beyond it a code is only far away
-FEW = 12  # quantities that move bodies: of more, the first ones are played
+PARTS = 1000  # fraction of the exact motion to which motions are rounded: less than a pixel
+FAR = 9.0  # multiple of the exact motion at which motions are cut off
+FEW = 12  # the most quantities that move bodies; more are not played
 SMALL, SEEN, LARGE = 12.0, 40.0, 100.0  # pixels of the drawing: motions of others are scaled
 
 Places = list[int | None] | int
@@ -27,7 +27,7 @@ Over = Mapping[str, Sequence[History]]  # quantity -> its history in each scheme
 
 @dataclass(frozen=True)
 class _Exact:
-    """A quantity's exact history at the frames, in parts of its largest size."""
+    """The exact history of a quantity at the frames, in units of its largest value."""
 
     name: str
     size: float
@@ -67,7 +67,7 @@ def playback(over: Over, facts: VariantFacts) -> str:
 
 
 def moving(facts: VariantFacts) -> list[str]:
-    """The quantities that are played: the first, and those that move a body."""
+    """The animated quantities: the first, and those that move a body."""
     names = [q.name for q in facts.quantities[:1]]
     return [*dict.fromkeys([*names, *[*(facts.moved or {})][:FEW]])]
 
@@ -100,13 +100,13 @@ def _beside(exact: _Exact, one: History, frames: Vector) -> Places:
 
 
 def _parts(values: Vector, size: float) -> list[int | None]:
-    """Values in parts of their size; None where one is not finite."""
+    """Values in units of PARTS per size; None for those that are not finite."""
     shown = np.clip(values / size, -FAR, FAR) * PARTS
     return [round(value) if np.isfinite(value) else None for value in shown.tolist()]
 
 
 def _factor(moved: Mapping[str, Moved], exact: Mapping[str, _Exact], facts: VariantFacts) -> float:
-    """How many times larger than the bodies a motion is drawn, so that it is seen and stays in."""
+    """The magnification of a motion, so that it is visible and stays inside the drawing."""
     if facts.sketch is None:
         return 1.0
     ways = [exact[name].size * math.hypot(*one.along) for name, one in moved.items()]

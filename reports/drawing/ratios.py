@@ -37,7 +37,7 @@ class Kind:
 
 
 def draw_ratios(kinds: Sequence[Kind]) -> Markup:
-    """Computed over measured values, kind by kind; grey: two standard uncertainties."""
+    """Draw computed over measured values by kind; grey: two standard uncertainties."""
     at = _logarithmic(_range(kinds), TOP + TALL, TOP)
     starts, x = list[float](), LEFT
     for kind in kinds:
@@ -55,7 +55,7 @@ def draw_ratios(kinds: Sequence[Kind]) -> Markup:
 
 
 def _range(kinds: Sequence[Kind]) -> tuple[float, float]:
-    """The least and the largest ratio to be drawn, those of the bars among them."""
+    """The least and the largest ratio to be drawn, bars included."""
     found = [1.0 / 1.1, 1.1]
     for kind in kinds:
         for own in kind.points.values():
@@ -77,7 +77,7 @@ def _logarithmic(ends: tuple[float, float], first: float, last: float) -> Place:
 
 
 def _levels(at: Place, left: float, right: float) -> Iterator[str]:
-    """The frame, levels of ratios, and the line on which both are equal."""
+    """The frame, lines of constant ratio, and the line of equality."""
     low, high = number(TOP + TALL), number(TOP)
     yield f'<path class="frame" d="M{number(left)} {high}V{low}H{number(right)}"/>'
     for tick in TICKS:
@@ -100,7 +100,7 @@ def _measured(kind: Kind, start: float, at: Place) -> Iterator[str]:
 
 
 def _dots(mark: Mark, kind: Kind, start: float, at: Place) -> Iterator[str]:
-    """Filled where a band holds them, hollow where they are shown."""
+    """The points: filled if a band judges them, hollow if they are only shown."""
     slots = list(kind.slots)
     for one in kind.points.get(mark, ()):
         x, y = start + SLOT * (slots.index(one.quantity) + 0.5), at(one.computed / one.measured)

@@ -27,14 +27,14 @@ MORE = "m-2.2 0h4.4m-2.2-2.2v4.4"  # of a mode beyond these
 
 @dataclass(frozen=True)
 class Found:
-    """What a scheme finds: (point, mode, whether it is the exact one)."""
+    """The results of a scheme: (point, mode, whether it is the exact one)."""
 
     mark: Mark
     points: Sequence[tuple[Place, int, bool]]
 
     @property
     def right(self) -> int:
-        """At how many points it finds the exact mode."""
+        """The number of points at which it finds the exact mode."""
         return sum(right for _, _, right in self.points)
 
 

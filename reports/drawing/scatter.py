@@ -37,7 +37,7 @@ def draw_scatter(points: Points, quantity: str) -> Markup:
 
 
 def _frame(first: float, last: float, quantity: str) -> Iterator[str]:
-    """Axes, the line on which both are equal, and what is along them."""
+    """The axes with labels, and the line of equality."""
     low, high, top = number(first), number(SIZE - first), number(SIZE - last)
     far = number(last)
     yield f'<path class="frame" d="M{low} {top}H{far}V{high}H{low}zM{low} {high}L{far} {top}"/>'
@@ -47,7 +47,7 @@ def _frame(first: float, last: float, quantity: str) -> Iterator[str]:
 
 
 def _points(mark: Mark, points: Sequence[Compared], at: Callable[[float], float]) -> Iterator[str]:
-    """Filled where a band holds them, hollow where they are shown."""
+    """The points: filled if a band judges them, hollow if they are only shown."""
     yield f'<g class="c{mark.colour}" data-k="{escape(mark.label)}">'
     for point in points:
         x, y = number(at(point.measured)), number(SIZE - at(point.computed))

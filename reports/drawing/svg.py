@@ -16,13 +16,13 @@ FEW, SLACK = 20, 0.3  # points that are all kept, and how far off a line may pas
 
 
 def number(value: float) -> str:
-    """A place with one digit after the point."""
+    """A coordinate with one digit after the point."""
     text = f"{value:.1f}"
     return text.removesuffix(".0") if text != "-0.0" else "0"
 
 
 def path(x: Vector, y: Vector) -> str:
-    """A line through points, each from the one before; it is broken where one is not finite."""
+    """A path through points in relative coordinates, broken at points that are not finite."""
     parts: list[str] = []
     before: tuple[int, int] | None = None
     for px, py in zip(x.tolist(), y.tolist(), strict=True):
@@ -41,7 +41,7 @@ def path(x: Vector, y: Vector) -> str:
 
 @functools.lru_cache(maxsize=8192)
 def _tenth(tenths: int) -> str:
-    """A number of tenths as a decimal without what can be left out."""
+    """A number of tenths as the shortest decimal."""
     whole, rest = divmod(abs(tenths), 10)
     sign = "-" if tenths < 0 else ""
     return f"{sign}{whole or ('' if rest else 0)}{f'.{rest}' if rest else ''}"
@@ -58,7 +58,7 @@ def _joined(tenths: int, before: str) -> str:
 
 
 def thinned(x: Vector, y: Vector, buckets: int = BUCKETS) -> tuple[Vector, Vector]:
-    """The points of a curve that are drawn: of many, the extremes of each bucket."""
+    """The drawn points of a curve; of many points, the extremes of each bucket."""
     if len(x) <= 2 * buckets:
         ascends = len(x) > FEW and bool((np.diff(x) > 0).all())
         return straightened(x, y) if ascends else (x, y)

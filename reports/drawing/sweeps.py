@@ -60,7 +60,7 @@ def _scale(values: Sequence[float], first: float, last: float) -> Scale:
 
 
 def _frame(x: Scale, y: Scale, quantity: str, over: str) -> Iterator[str]:
-    """Axes with numbers, and what is along them."""
+    """The axes with numbers and labels."""
     left, right, top, low = LEFT, WIDE - RIGHT, EDGE, TALL - FOOT
     yield (f'<path class="frame" d="M{number(left)} {number(top)}V{number(low)}H{number(right)}"/>')
     for k in range(TICKS):
@@ -75,7 +75,7 @@ def _frame(x: Scale, y: Scale, quantity: str, over: str) -> Iterator[str]:
 def _curve(
     law: str, mark: Mark, points: Sequence[Compared], x: Scale, y: Scale, is_first: bool
 ) -> Iterator[str]:
-    """The line of a law in a code; its name stands at its first point, once."""
+    """The line of a law in a code, with the name of the law at its first point."""
     rows = sorted(points, key=lambda one: one.at or 0.0)
     across = np.array([x.at(one.at or 0.0) for one in rows])
     up = np.array([y.at(one.computed) for one in rows])

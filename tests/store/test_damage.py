@@ -46,9 +46,9 @@ def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> No
     store.manifests.keep(manifest(*records, name="01"))
     path.write_text(path.read_text().replace('"steps": 1', '"steps": 7'))
     assert store.manifests.records_of("01", "b") == (records[0],)
-    with pytest.raises(OSError, match="what it holds is not what was kept: the digest differs"):
+    with pytest.raises(OSError, match="its content is not what was stored: the digest differs"):
         store.manifests.read("01")
-    with pytest.raises(OSError, match="the records of a is not what was kept"):
+    with pytest.raises(OSError, match="the records of a is not what was stored"):
         store.manifests.records_of("01", "a")
     path.write_text('{"provenance": {}, "records": []}')
     for read in (store.manifests.read, store.manifests.head):
@@ -61,7 +61,7 @@ def test_a_case_whose_records_are_lost_is_damaged_and_not_without_any(tmp_path: 
     store.manifests.keep(manifest(*jobs("b", "a"), name="01"))
     kept = [line for line in path.read_text().splitlines(True) if not line.startswith('"a": ')]
     path.write_text("".join(kept))
-    with pytest.raises(OSError, match="the records of a is not what was kept"):
+    with pytest.raises(OSError, match="the records of a is not what was stored"):
         store.manifests.records_of("01", "a")
 
 
@@ -74,8 +74,8 @@ def test_what_is_damaged_is_passed_over_with_a_word(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace('"solve_cpu": 0.0001', '"solve_cpu": 0.0002'))
     assert [one.name for one in store.manifests.newest(5, said.append)] == ["02"]
     assert said == [
-        "past run 01: no whole manifest: what it holds is not what was kept: the digest differs; "
-        "skipped"
+        "past run 01: not a complete manifest: its content is not what was stored: the digest "
+        "differs; skipped"
     ]
     assert history(store, "a", said.append)[0].name.startswith("c0ffee")
     assert len(said) == 1  # another run of the same commit was whole, and came first
@@ -99,7 +99,9 @@ def test_the_latest_run_is_no_copy_and_none_of_the_future(
     assert latest.name == true
     said = capsys.readouterr().err
     assert f"past run {future}: it is dated in the future; skipped" in said
-    assert f"past run {copy}: no whole manifest: its first line is not what was kept" in said
+    assert (
+        f"past run {copy}: not a complete manifest: its first line is not what was stored" in said
+    )
 
 
 @pytest.mark.parametrize("field", ["variant", "code"])

@@ -39,7 +39,7 @@ class _Silent:
 
 @dataclass(eq=False)
 class Invocation:
-    """The jobs that the options of pytest select; answered once, by the first test that asks."""
+    """The jobs that the options of pytest select; the first test runs all of them."""
 
     config: pytest.Config
     project: Project
@@ -48,7 +48,7 @@ class Invocation:
     manifest: Manifest | None = None
 
     def answered(self) -> Manifest:
-        """What came of all jobs, run if they were not; the report of it is written then."""
+        """The manifest of all jobs; the first call runs them and writes the report."""
         if self.manifest is None:
             from vv.cli import invocation
             from vv.run.session import carry_out
@@ -62,7 +62,7 @@ class Invocation:
 
 
 class JobTest(pytest.Item):
-    """A variant at a setting in a scheme: passes, fails with the gate's words, or is skipped."""
+    """A test of a job: it passes, fails with the findings of the gate, or is skipped."""
 
     def __init__(self, *, invocation: Invocation, number: int, **named: Any) -> None:
         super().__init__(**named)
@@ -104,7 +104,7 @@ def tests(session: pytest.Session) -> Iterator[JobTest]:
 
 
 def reports(config: pytest.Config) -> Sequence[Path]:
-    """The reports that were written."""
+    """The front pages of the reports that were written."""
     return config.stash.get(REPORTS, [])
 
 

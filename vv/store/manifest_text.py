@@ -115,7 +115,7 @@ def _head(line: str, name: str) -> codec.Json:
     if not text.startswith('{"holds": ') or not own:
         raise BrokenSealError("its first line has no seal: it is of an older form, or damaged")
     if end != f'{seal_of(name, (text + "}").encode())}",':
-        raise BrokenSealError("its first line is not what was kept: the digest differs")
+        raise BrokenSealError("its first line is not what was stored: the digest differs")
     found: codec.Json = codec.parse(text + "}")
     codec.read(dict[str, str], found.get("seals"), "seals")
     return found
@@ -124,8 +124,8 @@ def _head(line: str, name: str) -> codec.Json:
 def _check(head: codec.Json, part: str, text: str, name: str) -> None:
     """Raise BrokenSealError unless a part has the digest that its seal states."""
     if head["seals"].get(part) != seal_of(name, text.encode()):
-        what = f"the records of {part}" if part else "what it holds"
-        raise BrokenSealError(f"{what} is not what was kept: the digest differs")
+        what = f"the records of {part}" if part else "its content"
+        raise BrokenSealError(f"{what} is not what was stored: the digest differs")
 
 
 def _start(name: str) -> str:

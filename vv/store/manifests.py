@@ -127,4 +127,4 @@ def _undamaged(path: Path, read: Callable[[], Found]) -> Found:
     try:
         return read()
     except (ValueError, TypeError) as error:
-        raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
+        raise OSError(errno.EIO, f"not a complete manifest: {error}", str(path)) from error

@@ -35,7 +35,7 @@ def opened_text(name: str, whole: str) -> str:
         raise BrokenSealError("it has no seal: it is of an older form, or damaged")
     text = whole[START : -len(AFTER)]
     if whole != sealed_text(name, text):
-        raise BrokenSealError("it is not what was kept: the digest differs")
+        raise BrokenSealError("it is not what was stored: the digest differs")
     return text
 
 
@@ -48,5 +48,5 @@ def opened_bytes(name: str, whole: bytes) -> bytes:
     """The content that was sealed; raises BrokenSealError."""
     content = whole[:-SIZE]
     if whole[-SIZE:] != seal_of(name, content).encode():
-        raise BrokenSealError("it is not what was kept: the digest differs")
+        raise BrokenSealError("it is not what was stored: the digest differs")
     return content
