@@ -379,9 +379,16 @@ def test_forces_that_act_the_wrong_way_move_a_body_as_their_equations_do() -> No
     way = roll.mistakes["the shear force is reversed"](t)[0]  # slip: 3.5 times what it loses
     slip = 3.5 * (np.linalg.norm(way, axis=1) - t) + t
     assert slip == pytest.approx(path[0], rel=1e-6, abs=1e-9)
+
+    rolls = roll.scene.contact
+
+    def spun_up(_: float, state: Any) -> list[float]:  # slip grows by (5/2 - 1) F/m
+        force = min(rolls.ks * state[0], rolls.mu * 60.0)
+        return [state[1], 1.5 * force / mass, state[3], -force / mass]
+
     back = roll.mistakes["friction turns it the other way"](t)[0]
-    brake = roll.scene.contact.mu * 60.0 / mass
-    assert np.linalg.norm(back, axis=1) == pytest.approx(t - brake * t**2 / 2, abs=1e-9)
+    path = solve_ivp(spun_up, (0.0, 0.5), [0.0, 1.0, 0.0, 1.0], t_eval=t, rtol=1e-9, atol=1e-12).y
+    assert np.linalg.norm(back, axis=1) == pytest.approx(path[2], rel=1e-6, abs=1e-9)
     block = _checked()["slide of a block"][1].mistakes["friction pulls along"](t)[0]
     assert np.linalg.norm(block, axis=1) == pytest.approx(t + (6.0 + 0.4 * 8.0) * t**2 / 2)
 

@@ -43,7 +43,8 @@ def test_the_newest_result_of_a_setting_counts_that_ran_with_the_case_s_own_para
             raise OSError(5, "cannot be read")
         return runs[name]
 
-    store = SimpleNamespace(manifests=lambda: ["run 0", *NAMES], records_of=records_of)
+    past = SimpleNamespace(names=lambda: ["run 0", *NAMES], records_of=records_of)
+    store = SimpleNamespace(manifests=past)
     monkeypatch.setattr("vv.store.store.Store", lambda data: store)
     found = papers_command._newer(project(tmp_path), "bounce")
     errors = {name: one.quantities["y"].error for name, one in found.items()}
@@ -73,7 +74,7 @@ def drawn(
     made: list[Any] = []
     case = SimpleNamespace(name="made-up")
     codes = [(SimpleNamespace(name="ours"), SimpleNamespace(name="default"))]
-    store = SimpleNamespace(manifests=lambda: [*runs], manifest=runs.__getitem__)
+    store = SimpleNamespace(manifests=SimpleNamespace(names=lambda: [*runs], read=runs.__getitem__))
     monkeypatch.setattr("vv.store.store.Store", lambda data: store)
     monkeypatch.setattr("vv.plan.selection.select", lambda *_: [(case, one) for one in chosen])
     monkeypatch.setattr("vv.plan.selection.named_adapters", lambda *_: [])

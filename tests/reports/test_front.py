@@ -31,13 +31,13 @@ def dear(page: str, label: str) -> str:
 def test_costs_that_nobody_timed_are_shown_as_such(manifest: Manifest, store: Store) -> None:
     page = pages(untimed(manifest), store)["index.html"]
     assert dear(page, "dem/default").startswith("~")
-    assert "nothing was timed alone" in page
+    assert "no variant was timed alone" in page
 
 
 def test_timed_costs_are_not_marked(manifest: Manifest, store: Store) -> None:
     page = pages(manifest, store)["index.html"]
     assert re.match(r"\d", dear(page, "dem/default"))
-    assert "nothing was timed alone" not in page
+    assert "no variant was timed alone" not in page
 
 
 @pytest.mark.parametrize(("count", "words"), [(6, "6 known disagreements</a>"), (0, "")])
