@@ -105,9 +105,8 @@ def _rocking_trial(variant: str, p: Parameters, law: Law, w: float) -> Trial:
         quantities += (_rocking_quantities.first_swing(block, exact, bounds),)
     scene = _scene(p, most, block.start)
     study = Ladder(scene, goal, (CENTRE, MOVING), LEVELS)
-    return Trial(
-        study, quantities, _rocking_bounds.friction_energy(scene, p), phase=("lean", "rate")
-    )
+    energy = _rocking_bounds.friction_energy(scene, p)
+    return Trial(study, quantities, energy, phase=("lean", "rate"))
 
 
 def _search_trial(p: Parameters, law: Law, w: float, kn: float) -> Trial:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 
@@ -106,14 +107,11 @@ def _layer_series(
     """
     H, c, D, F = p["H"], speed(p), p["D"], p["F"]
     place = {"number": number, "layers": layers}
-
-    def path(t: Vector) -> Vector:
-        y = (number - 0.5) * H / layers
-        return shear_wave.displacement(t, y=y, height=H, c=c, D=D, F=F)
-
-    def chain(t: Vector) -> Vector:
-        return shear_wave.layered_displacement(t, **place, height=H, c=c, D=D, F=F)
-
+    y = (number - 0.5) * H / layers
+    path = functools.partial(shear_wave.displacement, y=y, height=H, c=c, D=D, F=F)
+    chain = functools.partial(
+        shear_wave.layered_displacement, number=number, layers=layers, height=H, c=c, D=D, F=F
+    )
     steps = math.ceil(times[-1] / COARSE)
     stepped = shear_wave.stepped_displacement(steps, dt=COARSE, **place, height=H, c=c, D=D, F=F)
     wave = path(times)
@@ -125,10 +123,7 @@ def _layer_series(
             f"by {own:.2g}, more than {THICK:g}"
         )
     late = float(np.abs(stepped - chain(COARSE * np.arange(steps + 1))).max()) / largest
-
-    soft = shear_wave.layered_displacement(
-        times, **place, height=H, c=c * math.sqrt(1.0 - given), D=D, F=F
-    )
+    soft = chain(times, c=c * math.sqrt(1.0 - given))
     yields = float(np.abs(soft - chain(times)).max()) / largest
 
     def series(name: str, what: str, due: Callable[[Vector], Vector], judge: Exact) -> Series:
@@ -139,13 +134,9 @@ def _layer_series(
 
     return (
         series(name, "", path, _bounds(own + yields, late, UNIFORM)),
-        series(
-            f"{name} of layers",
-            ", against the exact answer of the layers",
-            chain,
-            _bounds(yields, late, OWN),
-        ),
-    )
+        series(f"{name} of layers", ", against the exact answer of the layers", chain,
+               _bounds(yields, late, OWN)),
+    )  # fmt: skip
 
 
 def _bounds(bound: float, late: float, reason: str) -> Exact:

@@ -138,28 +138,12 @@ def _measured(
         of("nu", "", "mean of nu_x and nu_y", "nu"),
         of("nu_x", "", f"{rows} x", "nu"),
         of("nu_y", "", f"{rows} y", "nu"),
-        Scalar(
-            "E-excess",
-            "E/E_n - 1",
-            "",
-            "relative difference of E from that of the lattice along the load, which along c is "
-            "Eq. 6",
-            excess,
-            None,
-            1.0,
-            FACES,
-        ),
-        Scalar(
-            "share",
-            "E/E_6",
-            "",
-            "E over that of the lattice along c, Eq. 6",
-            share,
-            None,
-            1.0,
-            FACES,
-        ),
-    )
+        Scalar("E-excess", "E/E_n - 1", "",
+               "relative difference of E from that of the lattice along the load, which along c is "
+               "Eq. 6", excess, None, 1.0, FACES),
+        Scalar("share", "E/E_6", "", "E over that of the lattice along c, Eq. 6",
+               share, None, 1.0, FACES),
+    )  # fmt: skip
 
 
 def observed(name: str, block: Lattice, run: Run, since: int = -2, until: int = -1) -> float:
