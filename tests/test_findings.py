@@ -101,6 +101,10 @@ FOUND = (
     ("shaken-fast:20hz", "dem/default", Knobs(2.5e-4, 1e8), "d2x", 8.0, 10.0),  # nine times
     ("shaken-fast:20hz", "dem/default", Knobs(5e-6, 1e11), "d2x", 0.015, 0.017),
     ("tetrahedral-unit:turning", "dem/default", None, "E", 0.0, 1e-8),
+    ("rocking-restitution:aspect-3", "rigid/default", Knobs(1e-3), "restitution", 0.0, 2e-6),
+    ("rocking-restitution:aspect-5", "rigid/default", Knobs(1e-3), "restitution", 0.0, 2e-6),
+    ("rocking-restitution:aspect-3", "dda/default", Knobs(1e-3, 1e10), "restitution", 3e-3, 1e-2),
+    ("rocking-restitution:aspect-5", "dda/default", Knobs(1e-3, 1e10), "restitution", 3e-3, 1e-2),
 )
 
 
@@ -113,6 +117,13 @@ def test_what_is_found_is_as_it_is_told(
     name: str, scheme: str, knobs: Knobs | None, quantity: str, low: float, high: float
 ) -> None:
     assert low <= found(name, scheme, knobs, quantity) <= high
+
+
+def test_kinetic_damping_of_3_per_cent_holds_a_falling_block_back_by_the_step() -> None:
+    *_, run = asked("kinetic-damping:3-per-cent", "dda/default", Level.DEFAULT)
+    assert run.status is Status.RAN
+    (path,) = run.values.values()
+    assert abs(path[-1]).max() == pytest.approx(0.000328, rel=2e-3)
 
 
 @pytest.mark.parametrize(("dt", "told"), [(5e-4, 0.0138), (4.3e-4, 0.0038)])
