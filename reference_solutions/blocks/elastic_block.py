@@ -1,12 +1,12 @@
-"""A box with uniform strain: on a smooth base when its weight sets in, and spinning freely.
+"""A box with uniform strain: on a smooth base under suddenly applied weight, or spinning freely.
 
-Its displacement is linear in x (Shi 1992). With sides s_i, volume V and mass m, normal strains e_i
-follow m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i, C Hooke's law. On its base the centroid moves by
-half the shortening, which makes that m s_z^2/3 along z, and F_z = -m g s_z/2; as it spins by w
-about z, F_i = m w^2 s_i^2/12 along x and y. From e = e' = 0 every mode oscillates as 1 - cos. A bar
-alone has w^2 = 12 E/(rho s^2), and 3 E/(rho s^2) on a base; the continuum's first modes have pi^2
-and pi^2/4 in place of 12 and 3, and are slower by sqrt(12)/pi = 1.103. Every function raises
-ValueError for parameters outside their ranges.
+The displacement is linear in x (Shi 1992). With sides s_i, volume V and mass m, normal strains e_i
+follow m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i, with C from Hooke's law. On a base the centroid
+moves by half the shortening, so that the inertia along z is m s_z^2/3 and F_z = -m g s_z/2. A box
+that spins by w about z has F_i = m w^2 s_i^2/12 along x and y. From e = e' = 0 every mode
+oscillates as 1 - cos. A free bar has w^2 = 12 E/(rho s^2), and a bar on a base 3 E/(rho s^2); the
+first modes of the continuum have pi^2 and pi^2/4 in place of 12 and 3, and are slower by
+sqrt(12)/pi = 1.103. Every function raises ValueError for parameters outside their ranges.
 """
 
 from math import pi, sqrt
@@ -23,7 +23,7 @@ STIFFER = sqrt(12.0) / pi
 
 
 def law(young: float, poisson: float, along: tuple[int, ...] = (0, 1, 2)) -> Array:
-    """Stiffness [Pa] of normal strains along some axes; no stress acts along the others."""
+    """The stiffness [Pa] of normal strains along some axes; no stress acts along the others."""
     require_positive("Pa", young=young)
     if not -1.0 < poisson < 0.5:
         raise ValueError(f"poisson = {poisson}; it must lie between -1 and 0.5")
@@ -32,7 +32,7 @@ def law(young: float, poisson: float, along: tuple[int, ...] = (0, 1, 2)) -> Arr
 
 
 def resting(*, sides: Sides, rho: float, young: float, poisson: float, g: float) -> Array:
-    """Strains (3,) at rest on a base: those of half the weight, which is the mean stress."""
+    """The strains (3,) at rest on a base under the mean stress, which is due to half the weight."""
     require_positive("in SI units", s_z=sides[2], rho=rho, young=young)
     require_finite("m/s2", g=g)
     axial = -rho * g * sides[2] / (2.0 * young)
@@ -43,7 +43,7 @@ def standing(
     t: ArrayLike, *, sides: Sides, rho: float, young: float, poisson: float, g: float,
     along: tuple[int, ...] = (0, 1, 2),
 ) -> Array:  # fmt: skip
-    """Strains (k, 3) at times t (k,) [s] when weight sets in; those not in `along` stay zero."""
+    """Strains (k, 3) at times t (k,) [s] after weight is applied at t = 0; 0 if not in `along`."""
     require_finite("m/s2", g=g)
     swung = _inertia(sides, rho) * [1.0, 1.0, 4.0]
     force = np.array([0.0, 0.0, -rho * g * sides[2] / 2.0])
@@ -64,14 +64,14 @@ def spinning(
 
 
 def seen_from_rest(strains: Array, angle: Array) -> Array:
-    """Normal strains (k, 3) along fixed axes, of a box that has turned by angle (k,) about z."""
+    """Normal strains (k, 3) along fixed axes of a box that has rotated by angle (k,) about z."""
     c, s = np.cos(angle) ** 2, np.sin(angle) ** 2
     x, y, z = strains.T
     return np.stack([c * x + s * y, s * x + c * y, z], axis=1)
 
 
 def first(*, side: float, rho: float, young: float) -> float:
-    """w [1/s] of a bar on its base, without stress across."""
+    """The first angular frequency w [1/s] of a bar on its base, without lateral stress."""
     require_positive("in SI units", side=side, rho=rho, young=young)
     return sqrt(3.0 * young / rho) / side
 
@@ -83,7 +83,7 @@ def _inertia(sides: Sides, rho: float) -> Array:
 
 
 def _swings(t: ArrayLike, inertia: Array, stiffness: Array, force: Array) -> Array:
-    """e (k, n) of inertia (n,) e'' + stiffness (n, n) e = force (n,), from rest at t = 0."""
+    """The solution e (k, n) of inertia (n,) e'' + stiffness (n, n) e = force (n,) from rest."""
     root = np.sqrt(inertia)
     squares, modes = np.linalg.eigh(stiffness / np.outer(root, root))
     rest = modes.T @ (force / root) / squares

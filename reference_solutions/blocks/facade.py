@@ -1,7 +1,7 @@
 """Positions of the blocks of a facade: courses in running bond, door, window, lintels, arch.
 
-All of it is symmetric about x = 0. Every function raises ValueError for a facade
-that has no room for its openings.
+The facade is symmetric about x = 0. Every function raises ValueError for a facade that has no room
+for its openings.
 """
 
 import math
@@ -16,7 +16,7 @@ VOUSSOIRS = 9
 
 
 def areas(columns: int, courses: int, length: float, height: float) -> tuple[float, float]:
-    """Areas of courses and arch [m2]: a rectangle minus its openings, and voussoirs with chords."""
+    """The areas [m2] of the courses, without openings, and of the arch, with chords as edges."""
     open_ = sum(2 * half * (top - low) for half, low, top in openings(columns, courses))
     inner, outer = rings(columns, length)
     chords = VOUSSOIRS * (outer**2 - inner**2) / 2 * math.sin(math.pi / VOUSSOIRS)
@@ -24,7 +24,7 @@ def areas(columns: int, courses: int, length: float, height: float) -> tuple[flo
 
 
 def openings(columns: int, courses: int) -> tuple[tuple[float, int, int], ...]:
-    """Half widths in blocks, first course and lintel's course: a door, and above it a window."""
+    """Half width [blocks], first course and lintel's course of the door and of any window above."""
     if columns < 6 or columns % 2 or courses < 5:
         raise ValueError(
             f"{columns} columns, {courses} courses; even, at least 6, and 5 are needed"
@@ -34,7 +34,7 @@ def openings(columns: int, courses: int) -> tuple[tuple[float, int, int], ...]:
 
 
 def courses(columns: int, courses: int, length: float) -> Iterator[tuple[int, float, float]]:
-    """The course, left and right end [m] of each block, from below and from the left."""
+    """The course and the left and right ends [m] of each block, listed from the lower left."""
     gaps = openings(columns, courses)
     for course in range(courses):
         joints = np.arange(-columns / 2, columns / 2 + 0.25, 0.5)
@@ -62,7 +62,7 @@ def rings(columns: int, length: float) -> tuple[float, float]:
 
 
 def arch(columns: int, length: float) -> list[Array]:
-    """The corners (4, 2) of each voussoir of a half circle that springs from height 0 [m]."""
+    """The corners (4, 2) [m] of each voussoir of a semicircular arch that springs from height 0."""
     inner, outer = rings(columns, length)
     angle = np.linspace(0.0, np.pi, VOUSSOIRS + 1)
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)

@@ -1,18 +1,19 @@
 """How a block on a slope begins to move: the chart of modes, and the acceleration in each.
 
-psi is the angle of the slope plus that of the resultant of weight and a level force against the
-vertical, phi the friction angle, and tan(delta) = b/h of the half sides b along the slope and h
-across it [any unit of length]. Everything is over the acceleration g' that the resultant gives.
-With mu = tan(phi), k^2 = (b^2 + h^2)/3 and r = (h, b) from the lower edge to the centre, down the
-slope and out of it:
+psi is the angle of the slope plus the angle between the vertical and the resultant of the weight
+and a horizontal force, phi the friction angle, and tan(delta) = b/h for the half sides b along the
+slope and h across it [any unit of length]. All accelerations are divided by the acceleration g' due
+to the resultant. With mu = tan(phi), k^2 = (b^2 + h^2)/3 and the vector r = (h, b) from the lower
+edge to the centre, down the slope and out of it, the acceleration a and the normal force n over the
+mass are
 
 slides                 a = (sin psi - mu cos psi, 0)
 topples                a = q (h, b), q = (h sin psi - b cos psi)/(4 k^2)
 slides and topples     n = cos psi/(1 - (mu h - b) b/k^2), q = (mu h - b) n/k^2,
                        a = (sin psi - mu n, n - cos psi)
 
-It slides for phi < psi and phi <= delta, topples for psi > delta and phi >= phi_c, does both for
-psi > delta and delta < phi < phi_c, and stays otherwise; at phi = phi_c toppling alone needs
+The block slides for phi < psi and phi <= delta, topples for psi > delta and phi >= phi_c, does both
+for psi > delta and delta < phi < phi_c, and stays otherwise; at phi = phi_c toppling alone needs
 exactly the available friction (Hoek and Bray, with the borders of Yeung 1991 and of Yagoda-Biran
 and Hatzor 2013). Angles are in degrees. Every function raises ValueError for angles outside their
 ranges.
@@ -37,7 +38,7 @@ class Mode(IntEnum):
 
 
 def critical(psi: float, delta: float) -> float:
-    """phi_c [degrees], below which a block that topples slides too; delta <= psi."""
+    """phi_c [degrees], below which a toppling block also slides; delta <= psi is required."""
     _require(psi=psi, delta=delta)
     if not delta <= psi:
         raise ValueError(f"delta = {delta} degrees; a block topples for delta <= psi = {psi} only")
@@ -47,9 +48,9 @@ def critical(psi: float, delta: float) -> float:
 
 
 def slip_joins(phi: float, delta: float) -> float:
-    """psi [degrees] from which on a block that topples slides too, phi_c = phi; delta < phi.
+    """psi [degrees] above which a toppling block also slides; delta < phi is required.
 
-    tan(phi_c - delta) = tan(psi - delta)/4.
+    There phi_c = phi, and tan(phi_c - delta) = tan(psi - delta)/4.
     """
     _require(phi=phi, delta=delta)
     if not delta < phi:
@@ -66,10 +67,10 @@ def mode(*, psi: float, phi: float, delta: float) -> Mode:
 
 
 def acceleration(which: Mode, *, psi: float, phi: float, delta: float) -> Array:
-    """a (2,) of the centre over g' in a mode, whether or not that mode occurs."""
+    """The acceleration a (2,) of the centre over g' in a mode, whether or not that mode occurs."""
     _require(psi=psi, phi=phi, delta=delta)
     p, mu = radians(psi), tan(radians(phi))
-    b, h = sin(radians(delta)), cos(radians(delta))  # of a half diagonal of 1, so k^2 = 1/3
+    b, h = sin(radians(delta)), cos(radians(delta))  # for a half diagonal of 1, so that k^2 = 1/3
     if which is Mode.STAYS:
         return np.zeros(2)
     if which is Mode.SLIDES:

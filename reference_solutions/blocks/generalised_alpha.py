@@ -1,11 +1,12 @@
 """The step of generalised alpha on a harmonic oscillator: the roots of its characteristic cubic.
 
-Newmark's formulas for x and v with beta and gamma, eliminated between three steps of x'' = a, say
-(S - 1)^2 x = D^2 (beta S^2 + (1/2 + gamma - 2 beta) S + 1/2 - gamma + beta) a, S going a step
-ahead; the equation of motion is ((1 - alpha_m) S + alpha_m) a = -w^2 ((1 - alpha_f) S + alpha_f) x.
-Both together give a cubic in S, whose roots are those of a step with the angle w D (Chung and
-Hulbert 1993, Eq. 14). Its coefficients follow from the spectral radius at infinite angle (their
-Eqs. 17, 20, 25). Every function raises ValueError for parameters outside their ranges.
+Let S be the shift by one step D. Newmark's formulas for x and v with beta and gamma, from which v
+is eliminated by means of two successive steps, give (S - 1)^2 x = D^2 (beta S^2 + (1/2 + gamma - 2
+beta) S + 1/2 - gamma + beta) a for x'' = a; the equation of motion is ((1 - alpha_m) S + alpha_m) a
+= -w^2 ((1 - alpha_f) S + alpha_f) x. Both together give a cubic in S, whose roots are those of a
+step with the angle w D (Chung and Hulbert 1993, Eq. 14). Its coefficients follow from the spectral
+radius at infinite angle (their Eqs. 17, 20, 25). Every function raises ValueError for parameters
+outside their ranges.
 """
 
 from cmath import phase
@@ -16,7 +17,7 @@ Cubic = tuple[float, float, float, float]
 
 
 def polynomial(angle: float, radius: float) -> Cubic:
-    """The coefficients of the cubic, highest first, divided by the first."""
+    """The coefficients of the cubic, from the highest power down, divided by the first."""
     require_positive("rad", angle=angle)
     if not 0.0 <= radius <= 1.0:
         raise ValueError(f"radius = {radius}; it must lie between 0 and 1")
@@ -34,9 +35,10 @@ def polynomial(angle: float, radius: float) -> Cubic:
 
 
 def swinging_root(angle: float, radius: float) -> complex:
-    """The root with positive imaginary part, of an oscillation; by Newton's iteration.
+    """The root with positive imaginary part, which is an oscillation, by Newton's iteration.
 
-    It begins where the root is at a small angle, exp(i angle), and follows it from there.
+    The iteration starts at a small angle, where the root is exp(i angle), and follows the root as
+    the angle increases.
     """
     steps = max(1, int(20.0 * angle))
     root = complex(1.0, 0.0)
@@ -57,5 +59,5 @@ def spectral_radius(angle: float, radius: float) -> float:
 
 
 def slowing(angle: float, radius: float) -> float:
-    """The period of an oscillation over the exact one: angle of a step over that of the root."""
+    """The period over the exact one, which is the angle of a step over that of the root."""
     return angle / phase(swinging_root(angle, radius))

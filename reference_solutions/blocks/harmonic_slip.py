@@ -1,15 +1,19 @@
 """Coulomb stick and slip along a line under a harmonic drive: closed forms between located events.
 
 A point that slides has w' = p + q sin(omega t + lag), where p and q depend on the sign of w alone;
-it rests while w could grow in neither direction. Every phase is a closed form in the angle x since
-it began. A slip from rest begins at an arcsine and ends at the one root of w between a zero of its
-acceleration and the next, bracketed there and found to rounding.
+it rests while w could grow in neither direction. Every phase has a closed form in the angle x since
+it began. A slip from rest begins at an angle given by an arcsine and ends at the only root of w
+between two successive zeros of its acceleration, which is bracketed there and found to rounding.
 
-With s = x - sin x, c = 1 - cos x, e = x^2/2 - c, from the angle b with acceleration a: w = v + (a x
-+ q (cos b c - sin b s))/omega, displacement d + (v x + (a x^2/2 + q (cos b s - sin b
-e))/omega)/omega. Unlike p x - q cos(b + x), these lose no digits in a short slip. Angles are kept
-within one turn: an event at t = 100 s is as sharp as one at t = 0. Where a slip reverses at once,
-the part of the velocity that is not due to the drive is carried over to the last digit.
+A phase that begins at the angle b with displacement d, velocity v and acceleration a has, with
+s = x - sin x, c = 1 - cos x and e = x^2/2 - c,
+
+w = v + (a x + q (cos b c - sin b s))/omega
+displacement = d + (v x + (a x^2/2 + q (cos b s - sin b e))/omega)/omega.
+
+Unlike p x - q cos(b + x), these lose no digits in a short slip. Angles are kept within one turn: an
+event at t = 100 s is as accurate as one at t = 0. Where a slip reverses at once, the part of the
+velocity that is not due to the drive is carried over to the last digit.
 """
 
 from collections.abc import Callable, Iterator
@@ -24,14 +28,14 @@ Function = Callable[[float], float]
 Number = TypeVar("Number", float, Array)
 
 _TURN = 2.0 * pi
-_SNAP = 1e-9  # [rad] from the zero of a drive that was just located; such a slip moves nothing
-_TOUCH = 1e-14  # of q/omega: a least speed that rounding cannot tell from 0
+_SNAP = 1e-9  # [rad]: tolerance on a zero of the drive; a slip this short has no displacement
+_TOUCH = 1e-14  # of q/omega: a minimum of the speed that is 0 within rounding
 _S_SERIES = tuple((-1.0) ** j / factorial(2 * j + 3) for j in range(9))
 _E_SERIES = tuple((-1.0) ** j / factorial(2 * j + 4) for j in range(9))
 
 
 class Law(NamedTuple):
-    """w' = p + q sin(omega t + lag) [m/s2] while w keeps one sign."""
+    """The law w' = p + q sin(omega t + lag) [m/s2], which holds while w keeps its sign."""
 
     p: float
     q: float
@@ -46,13 +50,15 @@ class Drive(NamedTuple):
     backward: Law
 
     def law(self, direction: int) -> Law:
-        """The law of w in a direction; at rest nothing moves."""
+        """The law of w in a direction; direction 0 is rest, with w' = 0."""
         return (Law(0.0, 0.0), self.forward, self.backward)[direction]
 
 
 class Phase(NamedTuple):
-    """`begin` and `end` [s]; `direction` 1 or -1 of a slip, 0 of rest; at its begin the `angle`
-    of the drive within a turn [rad], displacement `d` [m], velocity `v` [m/s], acceleration `a`.
+    """A slip or rest from `begin` to `end` [s]; its `direction` is 1 or -1 for a slip, 0 for rest.
+
+    At `begin` the drive has the `angle` [rad] within a turn, and the point has the displacement `d`
+    [m], velocity `v` [m/s] and acceleration `a` [m/s2].
     """
 
     begin: float
@@ -67,7 +73,7 @@ class Phase(NamedTuple):
 class _Slip(NamedTuple):
     """The slip that just ended: direction, q, and `steady` = w + q/omega cos(omega t + lag) [m/s].
 
-    It does not jump where a slip reverses, and w = 0 there apart from the rounding of the angle.
+    `steady` does not jump where a slip reverses, and w = 0 there apart from rounding of the angle.
     With a fast drive q/omega is so much larger than w that the remainder of w must be kept.
     """
 
@@ -79,7 +85,7 @@ class _Slip(NamedTuple):
 def phases(
     drive: Drive, v0: float, end: float, *, steady: float | None = None
 ) -> tuple[Phase, ...]:
-    """The slips and rests from t = 0, w = v0 [m/s], d = 0, until `end` [s]; the last is cut there.
+    """The slips and rests from t = 0, w = v0 [m/s], d = 0; the last is cut at `end` [s].
 
     steady: v0 + q/omega cos(lag) [m/s], if it is known more accurately than the rounding of lag
     allows.
@@ -132,7 +138,7 @@ def _moved(
 def _mode(
     drive: Drive, angle: float, v: float, last: _Slip | None, left: float
 ) -> tuple[int, float, float, float]:
-    """Direction, initial acceleration, angle until the end, velocity: of a phase from v."""
+    """Direction, initial acceleration, angle until the end and velocity of a phase from v."""
     if v != 0.0:
         direction = int(copysign(1.0, v))
         law = drive.law(direction)
@@ -148,7 +154,7 @@ def _mode(
 
 
 def _begin(law: Law, direction: int, angle: float) -> tuple[float, int, float]:
-    """The angle until a point at rest slips in a direction, the direction, its acceleration."""
+    """The angle until a point at rest slips in a direction, the direction, and the acceleration."""
     p, q = direction * law.p, direction * law.q
     push = p + q * sin(angle)
     if push > 1e-12 * (abs(p) + abs(q)):
@@ -186,7 +192,7 @@ def _stop(drive: Drive, direction: int, angle: float, v: float, a: float, last: 
 
 
 def _descents(law: Law, direction: int, angle: float, last: float) -> Iterator[tuple[float, float]]:
-    """The angles, counted from `angle`, between which the speed of a slip falls."""
+    """The intervals of the angle, counted from `angle`, in which the speed of a slip decreases."""
     p, q = direction * law.p, direction * law.q
     if not abs(p) < abs(q):
         if p < 0.0:
@@ -214,7 +220,7 @@ def _root(f: Function, slope: Function, low: float, high: float) -> float:
 
 
 def _series(y: Number, coefficients: tuple[float, ...]) -> Number:
-    """The polynomial in y, lowest coefficient first."""
+    """The polynomial in y with the given coefficients, from the lowest power up."""
     total = y * 0.0
     for coefficient in reversed(coefficients):
         total = total * y + coefficient

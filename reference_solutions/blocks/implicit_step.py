@@ -1,11 +1,11 @@
 """The implicit step of DDA on a harmonic oscillator and on a block under a constant force.
 
-d'' = (2/D^2)(d - D v0), v = (2/D) d - v0 for a step D (Yagoda-Biran and Hatzor 2016, Eq. 5,
-corrected), the spring taken at the step's end. For m x'' = -K x a step of the angle a = w D,
-w^2 = K/m, maps (x, v) with the trace (4 - a^2)/(2 + a^2) and the determinant 2/(2 + a^2): two
-conjugate roots below a = 4, of size (1 + a^2/2)^-1/2, and two real ones from there on, of which the
-larger goes back to 1.
-Every function raises ValueError for parameters outside their ranges.
+A step D has the increment d, the acceleration d'' = (2/D^2)(d - D v0) and the velocity
+v = (2/D) d - v0 (Yagoda-Biran and Hatzor 2016, Eq. 5, corrected), with the spring force of the end
+of the step. For m x'' = -K x and w^2 = K/m, the matrix of a step of the angle a = w D on (x, v) has
+the trace (4 - a^2)/(2 + a^2) and the determinant 2/(2 + a^2). Its roots are conjugate below a = 4,
+with the modulus (1 + a^2/2)^-1/2, and real from there on, where the larger modulus increases
+towards 1 again. Every function raises ValueError for parameters outside their ranges.
 """
 
 from math import acos, expm1, hypot, log, log1p, sqrt
@@ -13,11 +13,11 @@ from math import acos, expm1, hypot, log, log1p, sqrt
 from reference_solutions.parameters import require_finite, require_positive
 
 SPLIT = 4.0
-"""angle from which on the roots are real: the swing no longer turns, but jumps."""
+"""The angle from which on the roots are real: the motion alternates instead of oscillating."""
 
 
 def spectral_radius(angle: float) -> float:
-    """The modulus of the larger root, by which a step multiplies the amplitude."""
+    """The greater modulus of the roots, by which a step multiplies the amplitude."""
     require_positive("rad", angle=angle)
     if angle <= SPLIT:
         return 1.0 / sqrt(1.0 + angle * angle / 2.0)
@@ -26,7 +26,7 @@ def spectral_radius(angle: float) -> float:
 
 
 def damping_ratio(angle: float) -> float:
-    """The damping ratio of an oscillation that decays as fast: a quarter of a small angle."""
+    """The damping ratio of an oscillation that decays as fast; angle/4 for small angles."""
     require_positive("rad", angle=angle)
     if angle >= SPLIT:
         raise ValueError(
@@ -40,9 +40,9 @@ def damping_ratio(angle: float) -> float:
 def damped_drive(a: float, dt: float, steps: int, kept: float) -> float:
     """The displacement [m] of a block under an acceleration a [m/s2] in `steps` steps dt [s].
 
-    kept: the part r of its velocity that a step hands on. N steps come to
-    a dt^2 (N/2 + r/(1-r) (N - (1-r^N)/(1-r))), which tends to a t dt (1+r)/(2(1-r)): it vanishes
-    with the step, where a t^2/2 is right.
+    kept: the fraction r of its velocity that the block keeps from one step to the next. After N
+    steps the displacement is a dt^2 (N/2 + r/(1-r) (N - (1-r^N)/(1-r))). For r < 1 it tends to a t
+    dt (1+r)/(2(1-r)), which vanishes with the step, whereas the exact displacement is a t^2/2.
     """
     require_finite("m/s2", a=a)
     require_positive("s", dt=dt)

@@ -1,17 +1,17 @@
 """Displacement of a block on an incline under gravity and harmonic accelerations.
 
-Yagoda-Biran and Hatzor (2016), Secs. 3.1, 4.1 and 4.2: slope alpha and friction angle phi
-[degrees], gravity g [m/s2], accelerations A sin(2 pi f t) [m/s2] with f [Hz], displacement d along
-the dip, positive down, and 0 at t = 0 with velocity v0 [m/s]. A positive acceleration pushes the
-block out of the slope and down it. Per mass, T = g sin alpha + a cos alpha drives the block and
-N = g cos alpha - a sin alpha presses it on: sliding down d'' = T - N tan phi, sliding up
-d'' = T + N tan phi, and it rests while |T| <= N tan phi: it yields downwards at a = g tan(phi -
-alpha) and upwards at a = -g tan(phi + alpha).
+The problem is that of Yagoda-Biran and Hatzor (2016), Secs. 3.1, 4.1 and 4.2: slope alpha and
+friction angle phi [degrees], gravity g [m/s2], accelerations a = A sin(2 pi f t) [m/s2] with f
+[Hz]. The displacement d along the dip, positive downwards, is 0 at t = 0, when the velocity is v0
+[m/s]. A positive acceleration pushes the block out of the slope and down it. Per mass, the driving
+force is T = g sin alpha + a cos alpha and the normal force N = g cos alpha - a sin alpha. The block
+has d'' = T - N tan phi sliding down, d'' = T + N tan phi sliding up, and rests while |T| <= N tan
+phi: it yields downwards at a = g tan(phi - alpha) and upwards at a = -g tan(phi + alpha).
 
-Eq. 8 as printed lacks (A/w)(cos alpha + sin alpha tan phi) t; Eq. 10 holds inside each slip. The
-horizontal launch of Sec. 4.1.2 would leave the plane: v0 is along the dip.
-Every function raises ValueError for a parameter out of range, and for an acceleration with
-A tan(alpha) >= g, which would lift the block off the plane.
+Eq. 8 as printed lacks (A/w)(cos alpha + sin alpha tan phi) t; Eq. 10 holds inside each slip. A
+block launched horizontally, as in Sec. 4.1.2, would leave the plane; therefore v0 is along the dip.
+Every function raises ValueError for a parameter out of range, and for an acceleration with A
+tan(alpha) >= g, which would lift the block off the plane.
 """
 
 from functools import lru_cache
@@ -35,10 +35,11 @@ Array = NDArray[np.float64]
 
 
 def gravity(t: ArrayLike, *, alpha: float, phi: float, g: float, v0: float) -> Array:
-    """d [m] under gravity alone at times t >= 0 [s] of any shape (Eqs. 14, 15).
+    """The displacement d [m] under gravity alone at times t >= 0 [s] of any shape (Eqs. 14, 15).
 
-    v0 t + (g/2)(sin alpha - cos alpha tan phi) t^2 downwards; a block that comes to rest stays
-    if phi >= alpha. Launched upwards (v0 < 0) it slows down at g (sin alpha + cos alpha tan phi).
+    Downwards d = v0 t + (g/2)(sin alpha - cos alpha tan phi) t^2; a block that comes to rest stays
+    at rest if phi >= alpha. A block launched upwards (v0 < 0) decelerates at g (sin alpha + cos
+    alpha tan phi).
     """
     t = require_times(t)
     require_acute(alpha=alpha, phi=phi)
@@ -57,7 +58,7 @@ def newmark(
 ) -> Array:
     """d [m] at times t >= 0 [s] of any shape under a horizontal A sin(2 pi f t) (Eqs. 8, 10).
 
-    The block slides down or up, or rests, as the acceleration says; see `harmonic_slip`.
+    The block slides down or up, or rests, depending on the acceleration; see `harmonic_slip`.
     """
     t = require_times(t)
     drive = _drive(alpha, phi, A, f, g, v0)
@@ -85,12 +86,12 @@ def two_directions(
     fy: float,
     g: float,
 ) -> Array:
-    """x (down the dip) and y (along the strike) [m], the last axis, at times t >= 0 [s].
+    """Displacements down the dip and along the strike [m], the last axis, at times t >= 0 [s].
 
-    From rest under horizontal accelerations ax sin(2 pi fx t) along the dip and ay sin(2 pi fy t)
-    along the strike (Sec. 4.2). With T = (g sin alpha + ax(t) cos alpha, ay(t)) and F = tan phi
-    (g cos alpha - ax(t) sin alpha) it rests while its velocity w = 0 and |T| <= F; otherwise
-    w' = T - F w/|w|; see `turning_slip`.
+    The block starts from rest under horizontal accelerations ax(t) = ax sin(2 pi fx t) along the
+    dip and ay(t) = ay sin(2 pi fy t) along the strike (Sec. 4.2). With T = (g sin alpha + ax(t) cos
+    alpha, ay(t)) and F = tan phi (g cos alpha - ax(t) sin alpha) it rests while its velocity w = 0
+    and |T| <= F; otherwise w' = T - F w/|w|; see `turning_slip`.
     """
     t = require_times(t)
     steps = _steps(alpha, phi, ax, fx, ay, fy, g, float(t.max(initial=0.0)))
@@ -148,12 +149,12 @@ def _drive(
 
 
 def _forwards(alpha: float, phi: float, g: float) -> float:
-    """g (sin alpha - cos alpha tan phi), exactly 0 where phi = alpha."""
+    """g (sin alpha - cos alpha tan phi), of sliding down, which is exactly 0 at phi = alpha."""
     return g * sin(radians(alpha - phi)) / cos(radians(phi))
 
 
 def _backwards(alpha: float, phi: float, g: float) -> float:
-    """g (sin alpha + cos alpha tan phi)."""
+    """g (sin alpha + cos alpha tan phi), of sliding up."""
     return g * sin(radians(alpha + phi)) / cos(radians(phi))
 
 

@@ -1,13 +1,14 @@
-"""A block that slips one way along a wall while both are shaken, in closed form.
+"""A block that slips in one direction along a wall while both are shaken, in closed form.
 
-Along the slip and along the wall's normal, by rows: the block is driven by constant accelerations
-(weight and dead load over mass), a [m/s2], and by shaking, a sine of amplitude A [m/s2] in each;
-the wall moves by D (sin(w t + phi) - sin phi) along its normal. While the block slips it has
+The subscripts s and n stand for the direction of slip and the normal of the wall, in this order in
+all pairs. The block is driven by constant accelerations a [m/s2], which are weight and dead load
+over mass, and by shaking, a sine of amplitude A [m/s2] in each direction. The wall moves by
+D (sin(w t + phi) - sin phi) along its normal. While the block slips, its displacement s follows
 
 s'' = a_s + A_s sin(w_s t + phi_s) - mu p,  p = D'' - a_n - A_n sin(w_n t + phi_n) > 0,
 
-where mu p is friction per mass (Coulomb), D'' the acceleration of the wall, and along the normal
-the block is where the wall is. The motion of the wall in its own plane does not matter as long as
+where mu p is the friction per mass (Coulomb) and D'' the acceleration of the wall. Along the normal
+the block moves with the wall. The motion of the wall in its own plane does not matter as long as
 the block moves faster. Every function raises ValueError for parameters outside their ranges.
 """
 
@@ -23,7 +24,7 @@ Array = NDArray[np.float64]
 
 
 class Drives(TypedDict):
-    """Accelerations along the slip and the normal, and the upward motion of the wall."""
+    """Accelerations along the slip and the normal, and the motion of the wall along its normal."""
 
     constant: tuple[float, float]
     shaking: tuple[Sine, Sine]
@@ -59,13 +60,13 @@ def motion(
 def pressure(
     t: ArrayLike, *, constant: tuple[float, float], shaking: tuple[Sine, Sine], lifting: Sine
 ) -> Array:
-    """p [m/s2] at times t [s], which must stay above 0 for the block to stay on the wall."""
+    """The normal force per mass p [m/s2] at times t [s]; the block stays on the wall if p > 0."""
     t = require_times(t)
     return np.asarray(-(lifting.omega**2) * _at(t, lifting) - constant[1] - _at(t, shaking[1]))
 
 
 def wall_speed(t: ArrayLike, sliding: Sine) -> Array:
-    """The velocity of the wall along itself [m/s], which the block must exceed to slip on it."""
+    """The velocity [m/s] of the wall in its plane, which a slipping block must exceed."""
     turned = sliding.omega * require_times(t) + sliding.phase
     return np.asarray(sliding.amplitude * sliding.omega * np.cos(turned))
 

@@ -4,11 +4,12 @@ Yagoda-Biran and Hatzor (2016), Secs. 3.4 and 4.5: the base moves by d1 = D (1 -
 along each axis (Eqs. 11, 16), D [m], f [Hz]; the block lies on it with friction mu [-] under
 gravity g [m/s2] and starts with it at rest. Displacements d2 [m] are absolute.
 
-The block follows while it moves with the base and |a1| <= mu (g + a1z), a1 the horizontal and a1z
-the vertical acceleration of the base; otherwise friction pulls it with mu (g + a1z) along the
-velocity of the base relative to it, and along a1 where a slip begins (Eqs. 12, 13, 17 corrected).
-Vertically it follows the base. Solved in the frame of the base, w = d2' - d1'.
-Every function raises ValueError for a parameter out of range.
+The block sticks to the base while it has the same velocity and |a1| <= mu (g + a1z), with the
+horizontal acceleration a1 and the vertical acceleration a1z of the base. Otherwise friction
+accelerates it by mu (g + a1z) along the velocity of the base relative to it, and along a1 where a
+slip begins (Eqs. 12, 13, 17 corrected). Vertically the block follows the base. The equations are
+solved in the frame of the base, with w = d2' - d1'. Every function raises ValueError for a
+parameter out of range.
 """
 
 from functools import lru_cache
@@ -26,13 +27,13 @@ Array = NDArray[np.float64]
 
 
 def base(t: ArrayLike, *, D: float, f: float) -> Array:
-    """d1 [m] at times t [s] (Eq. 11)."""
+    """The displacement d1 [m] of the base at times t [s] (Eq. 11)."""
     moved: Array = 2.0 * D * np.sin(pi * f * np.asarray(t, dtype=np.float64)) ** 2
     return moved
 
 
 def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> Array:
-    """d2 [m] at times t >= 0 [s] of any shape; see `harmonic_slip`.
+    """The displacement d2 [m] at times t >= 0 [s] of any shape; see `harmonic_slip`.
 
     The displacement is summed in the fixed frame: on a fast base the block hardly moves, so that
     the difference of base and lag would lose digits.
@@ -59,8 +60,9 @@ def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> A
 def one_direction_phases(
     duration: float, *, D: float, f: float, mu: float, g: float
 ) -> tuple[Phase, ...]:
-    """Slips and rests of `one_direction` relative to the base, as are d, v and a in them, until
-    `duration` [s].
+    """The slips and rests of `one_direction` until `duration` [s].
+
+    They are relative to the base, as are their d, v and a.
     """
     end = float(require_times(duration))
     return harmonic_slip.phases(_drive(D, f, mu, g), 0.0, end, steady=0.0)
@@ -69,7 +71,10 @@ def one_direction_phases(
 def two_directions(
     t: ArrayLike, *, Dx: float, fx: float, Dy: float, fy: float, mu: float, g: float
 ) -> Array:
-    """d2 [m], x and y in the last axis, at times t >= 0 [s]; see `turning_slip`."""
+    """The displacement d2 [m], x and y along the last axis, at times t >= 0 [s].
+
+    See `turning_slip`.
+    """
     moved: Array = three_directions(
         t, Dx=Dx, fx=fx, Dy=Dy, fy=fy, Dz=0.0, fz=max(fx, fy), mu=mu, g=g
     )[..., :2]
@@ -79,7 +84,7 @@ def two_directions(
 def two_directions_phases(
     duration: float, *, Dx: float, fx: float, Dy: float, fy: float, mu: float, g: float
 ) -> tuple[Interval, ...]:
-    """Slips and rests of `two_directions` relative to the base until `duration` [s]."""
+    """The slips and rests of `two_directions` relative to the base until `duration` [s]."""
     return three_directions_phases(
         duration, Dx=Dx, fx=fx, Dy=Dy, fy=fy, Dz=0.0, fz=max(fx, fy), mu=mu, g=g
     )
@@ -98,9 +103,9 @@ def three_directions(
     mu: float,
     g: float,
 ) -> Array:
-    """d2 [m], x, y and z in the last axis, at times t >= 0 [s]; see `turning_slip`.
+    """The displacement d2 [m], x, y, z along the last axis, at times t >= 0 [s].
 
-    Raises ValueError if Dz (2 pi fz)^2 >= g: the block would leave the base.
+    See `turning_slip`. Raises ValueError if Dz (2 pi fz)^2 >= g: the block would leave the base.
     """
     t = require_times(t)
     steps = _steps(Dx, fx, Dy, fy, Dz, fz, mu, g, float(t.max(initial=0.0)))
@@ -122,13 +127,13 @@ def three_directions_phases(
     mu: float,
     g: float,
 ) -> tuple[Interval, ...]:
-    """Slips and rests of `three_directions` relative to the base until `duration` [s]."""
+    """The slips and rests of `three_directions` relative to the base until `duration` [s]."""
     end = float(require_times(duration))
     return turning_slip.intervals(_steps(Dx, fx, Dy, fy, Dz, fz, mu, g, end))
 
 
 @lru_cache(maxsize=16)
-# Positional, so that intervals are cached by all of them.
+# The parameters are positional, so that the cache is keyed by all of them.
 def _steps(
     Dx: float,
     fx: float,

@@ -22,13 +22,13 @@ _SHARP = {"rtol": 1e-12, "atol": 1e-14}
 
 
 def slenderness(b: float, h: float, g: float) -> tuple[float, float]:
-    """alpha [rad] and p [1/s]."""
+    """The slenderness alpha [rad] and the frequency parameter p [1/s]."""
     require_positive("in SI units", b=b, h=h, g=g)
     return atan2(b, h), sqrt(0.75 * g / hypot(b, h))
 
 
 def restitution(b: float, h: float) -> float:
-    """The angular velocity after an impact over that before; a squat block stays down."""
+    """The angular velocity after an impact over that before; 0 for a block too squat to rock on."""
     return max(0.0, 1.0 - 1.5 * sin(atan2(b, h)) ** 2)
 
 
@@ -36,9 +36,10 @@ def leans(
     t: ArrayLike, *, b: float, h: float, g: float,
     A: float = 0.0, w: float = 1.0, T: float = 0.0, theta: float = 0.0,
 ) -> Array:  # fmt: skip
-    """theta (k,) [rad] at rising times (k,) [s], from rest at theta [rad] or upright.
+    """theta (k,) [rad] at increasing times (k,) [s], from rest at theta [rad] or upright.
 
-    A [m/s2], w [rad/s], T [s]: of the sine. Beyond alpha the block falls, and rests at pi/2.
+    A [m/s2], w [rad/s], T [s]: amplitude, angular frequency and end of the sine. Beyond alpha the
+    block falls and stays at rest at pi/2.
     """
     return phases(t, b=b, h=h, g=g, A=A, w=w, T=T, theta=theta)[:, 0]
 
@@ -47,7 +48,10 @@ def phases(
     t: ArrayLike, *, b: float, h: float, g: float,
     A: float = 0.0, w: float = 1.0, T: float = 0.0, theta: float = 0.0,
 ) -> Array:  # fmt: skip
-    """theta [rad] and its rate [1/s], (k, 2), as `leans`; at an impact, the rate before it."""
+    """theta [rad] and its rate [1/s], (k, 2), for the arguments of `leans`.
+
+    At an impact the rate is that before it.
+    """
     times = require_times(t)
     alpha, p = slenderness(b, h, g)
     found = np.empty((len(times), 2))
@@ -72,7 +76,7 @@ def _way(rate: float, A: float, w: float, now: float) -> float:
 
 
 def _tips(now: float, A: float, w: float, T: float, most: float) -> float:
-    """When a block that stands upright at `now` begins to lean; infinity if it does not."""
+    """The time when a block that is upright at `now` begins to lean; infinity if it does not."""
     if not most < A:
         return inf
     for k in range(int(w * T / pi) + 1):
@@ -86,7 +90,7 @@ def _swing(
     times: Array, found: Array, now: float, state: tuple[float, float], side: float,
     law: tuple[float, ...],
 ) -> tuple[float, tuple[float, float]]:  # fmt: skip
-    """Fill in the leans from `now` until the block meets the floor; the time and state of that."""
+    """Fill in the leans until the block meets the floor; return the time and the state then."""
     from scipy.integrate import solve_ivp
 
     alpha, p, part, w, T = law
@@ -122,7 +126,7 @@ def _swing(
 
 
 def excess(A: float, *, b: float, h: float, g: float, w: float) -> float:
-    """theta'^2/2 after a half sine, minus the value that a block needs to overturn [1/s2]."""
+    """theta'^2/2 [1/s2] at the end of a half sine, minus the value at which the block overturns."""
     from scipy.integrate import solve_ivp
 
     alpha, p = slenderness(b, h, g)
@@ -139,9 +143,10 @@ def excess(A: float, *, b: float, h: float, g: float, w: float) -> float:
 
 
 def overturns(*, b: float, h: float, g: float, A: float, w: float) -> float:
-    """When [s] half a sine has thrown the block over: it leans by 2 alpha, as low as upright.
+    """The time [s] at which a half sine has overturned the block.
 
-    Raises ValueError for a block that is no higher than wide, or that comes back.
+    The block then leans by 2 alpha, where its centre is as low as in the upright position. Raises
+    ValueError for a block that is no higher than wide, or that does not overturn.
     """
     from scipy.integrate import solve_ivp
 
@@ -186,8 +191,11 @@ def threshold(*, b: float, h: float, g: float, w: float) -> float:
 
 
 def linear_threshold(*, b: float, h: float, g: float, w: float) -> float:
-    """The same of the equation for small angles: alpha g/sin(psi), where
-    (w/p) sin(psi) = cos(psi) + exp(-(p/w)(pi - psi)) (Makris and Roussos 2000)."""
+    """The least amplitude [m/s2] by the equation that is linearised for small angles.
+
+    It is alpha g/sin(psi), where (w/p) sin(psi) = cos(psi) + exp(-(p/w)(pi - psi)) (Makris and
+    Roussos 2000).
+    """
     from scipy.optimize import brentq
 
     alpha, p = slenderness(b, h, g)

@@ -1,19 +1,20 @@
-"""Shear waves in a column of height H [m] on a base that moves, free on top.
+"""Shear waves in a column of height H [m] on a base that moves, with a free top.
 
-The base moves by f(t) = D (1 - cos 2 pi F t) from t = 0 on; c [m/s] is the speed of shear waves. Up
-the column and back from its top (d'Alembert),
+The base moves by f(t) = D (1 - cos 2 pi F t) from t = 0 on; c [m/s] is the speed of shear waves.
+The waves run up the column and are reflected at its top (d'Alembert):
 
 u(y, t) = sum over k of (-1)^k (f(t - (2 k H + y)/c) + f(t - (2 (k + 1) H - y)/c)).
 
 Under a steady sine, the motion of the column at y over that of the base is cos(q (H - y))/cos(q H),
 q = w/c. In n layers that strain uniformly, q of a layer of h = H/n follows from cos q h = (1 - W^2
 h^2/3c^2)/(1 + W^2 h^2/6c^2), W = w, as for linear finite elements with consistent mass. DDA's step
-dt takes W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2) in place of w^2: it damps. SHAKE has
-a constant damping ratio z: q = w/(c sqrt(1 - 2 z^2 + 2 i z sqrt(1 - z^2))). Unlike layers, of
-stiffness matrices (a, -b; -b, a), follow from the top: the impedance at the lower end of a layer is
-Z = a - b^2/(a + Z'), Z' that of the layer above, and its upper end moves by b/(a + Z') of its lower
-end. Uniform strain has a = G/h - W^2 rho h/3 and b = G/h + W^2 rho h/6, a wave has a = G q cot q h
-and b = G q/sin q h. Every function raises ValueError for a parameter out of range.
+dt has W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2) in place of w^2, which damps. SHAKE has
+a constant damping ratio z: q = w/(c sqrt(1 - 2 z^2 + 2 i z sqrt(1 - z^2))). Layers with different
+properties, of stiffness matrices (a, -b; -b, a), are treated from the top down: the impedance at
+the lower end of a layer is Z = a - b^2/(a + Z'), Z' that of the layer above, and its upper end
+moves by b/(a + Z') of its lower end. Uniform strain has a = G/h - W^2 rho h/3 and b = G/h + W^2 rho
+h/6, a wave has a = G q cot q h and b = G q/sin q h. Every function raises ValueError for a
+parameter out of range.
 """
 
 from cmath import acos, exp
@@ -34,7 +35,7 @@ Array = NDArray[np.float64]
 
 
 def displacement(t: ArrayLike, *, y: float, height: float, c: float, D: float, F: float) -> Array:
-    """u [m] at the height y [m] at times t >= 0 [s]; D [m], F [Hz]."""
+    """The displacement u [m] at the height y [m] at times t >= 0 [s]; D [m], F [Hz]."""
     t = require_times(t)
     require_positive("in SI units", height=height, c=c, F=F)
     if not 0.0 <= y <= height:
@@ -51,10 +52,11 @@ def displacement(t: ArrayLike, *, y: float, height: float, c: float, D: float, F
 
 
 class _Chain(NamedTuple):
-    """Modes of layers on their base: w [rad/s], how the base drives one, how it is observed.
+    """Modes of layers on their base: w [rad/s], excitation by the base, value at a layer's centre.
 
     They are sin(q i) at the joints i of n layers, q = (2j - 1) pi/2n, w^2 = (6 c^2/h^2)(1 - cos
-    q)/(2 + cos q). One has the mass n (2 + cos q)/6 of layers, and is driven by cot(q/2)/2 of them.
+    q)/(2 + cos q). The modal mass is n (2 + cos q)/6 times the mass of a layer, and the
+    acceleration of the base acts on cot(q/2)/2 times the mass of a layer.
     """
 
     w: Array
@@ -75,14 +77,14 @@ def _chain(number: int, layers: int, height: float, c: float) -> _Chain:
 def layered_displacement(
     t: ArrayLike, *, number: int, layers: int, height: float, c: float, D: float, F: float
 ) -> Array:
-    """u [m] of the centre of layer `number`, counted from the base, at times t >= 0 [s].
+    """The displacement u [m] of the centre of layer `number` from the base at times t >= 0 [s].
 
-    A mode of w_j follows the motion of the base with D w^2 (cos w t - cos w_j t)/(w_j^2 - w^2).
+    A mode of w_j responds to the motion of the base with D w^2 (cos w t - cos w_j t)/(w_j^2 - w^2).
     """
     t, own = require_times(t), _chain(number, layers, height, c)
     require_positive("Hz", F=F)
     w, late = 2.0 * pi * F, t[:, None] / 2.0
-    # the difference of cosines over that of squares has a limit at a resonance
+    # The difference of cosines over that of squares has a finite limit at resonance.
     swing = 2.0 * late**2 * np.sinc(late * (own.w + w) / pi) * np.sinc(late * (own.w - w) / pi)
     driven = D * w * w * swing @ (own.pushed * own.seen)
     return np.asarray(D * (1.0 - np.cos(w * t)) - driven)
@@ -91,12 +93,16 @@ def layered_displacement(
 def stepped_displacement(
     steps: int, *, dt: float, number: int, layers: int, height: float, c: float, D: float, F: float
 ) -> Array:
-    """The same (steps + 1,) with steps dt [s] of DDA: d'' = (2/dt^2)(d - dt v), v' = 2 d/dt - v."""
+    """u [m] (steps + 1,) of the same centre in steps dt [s] of DDA.
+
+    A step has the increment d, the acceleration (2/dt^2)(d - dt v) and the next velocity 2 d/dt -
+    v.
+    """
     own = _chain(number, layers, height, c)
     require_positive("in SI units", dt=dt, F=F)
     base = D * (1.0 - np.cos(2.0 * pi * F * dt * np.arange(steps + 1)))
     u, stiff = np.zeros(steps + 1), 1.0 + (own.w * dt) ** 2 / 2.0
-    swing, speed, pace = np.zeros(layers), np.zeros(layers), 0.0  # paces in m per step
+    swing, speed, pace = np.zeros(layers), np.zeros(layers), 0.0  # velocities in m per step
     for i in range(steps):
         moved = base[i + 1] - base[i]
         way = (speed - own.pushed * (moved - pace) - (stiff - 1.0) * swing) / stiff
@@ -113,12 +119,12 @@ def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) 
         raise ValueError(f"F = {F} Hz; steps of {dt} s resolve no sine from {0.5 / dt:.6g} Hz on")
     square = 4.0 / dt**2 * sin(half) * tan(half) * exp(-1j * half)
     s = square * (height / layers / c) ** 2
-    turn = acos((1.0 - s / 3.0) / (1.0 + s / 6.0))  # of a layer
+    turn = acos((1.0 - s / 3.0) / (1.0 + s / 6.0))  # phase over one layer
     return 0.5 * (1.0 + ccos(turn)) / ccos(layers * turn)
 
 
 def continuous_ratio(*, F: float, y: float, height: float, c: float, damping: float) -> float:
-    """The amplitude at y [m] over that of the base, at a constant damping ratio."""
+    """The amplitude at the height y [m] over that of the base, at a constant damping ratio."""
     require_positive("in SI units", F=F, height=height, c=c)
     require_at_least_0("", damping=damping)
     z = damping
@@ -129,7 +135,7 @@ def continuous_ratio(*, F: float, y: float, height: float, c: float, damping: fl
 
 
 class Layer(NamedTuple):
-    """Thickness [m], shear modulus [Pa] and density [kg/m3]."""
+    """The thickness [m], shear modulus [Pa] and density [kg/m3] of a layer."""
 
     thick: float
     G: float
@@ -137,7 +143,7 @@ class Layer(NamedTuple):
 
 
 def unlike_ratio(*, F: float, dt: float, layers: Sequence[Layer]) -> complex:
-    """As `layered_ratio`, for layers that are listed from the base up."""
+    """The ratio of `layered_ratio` for different layers, listed from the base up."""
     require_positive("in SI units", F=F, dt=dt)
     half = pi * F * dt
     if not half < pi / 2.0:
@@ -163,7 +169,10 @@ def unlike_continuous_ratio(*, F: float, layers: Sequence[Layer], damping: float
 
 
 def _carried(layers: list[tuple[complex, complex]]) -> tuple[complex, complex]:
-    """The motions of the top layer's ends over the base's; layers: a and b, from the base up."""
+    """The motions of the ends of the top layer over that of the base.
+
+    layers: the coefficients a and b of each, from the base up.
+    """
     above, shares = 0j, []
     for a, b in reversed(layers):
         shares.append(b / (a + above))

@@ -1,8 +1,9 @@
 """One step of w' = T - F w/|w| in a plane: a Radau IIA collocation of order 31.
 
-It is stiffly accurate, because a slip from rest is infinitely stiff, and never evaluated at the
-begin of the step, where w/|w| has no value then. w' is a Legendre series on the step (Hairer and
-Wanner, Solving Ordinary Differential Equations II, Sec. IV.5).
+The method is stiffly accurate, as a slip from rest, which is infinitely stiff, requires. It does
+not evaluate the equation at the beginning of the step, where w/|w| is undefined for such a slip. w'
+is a Legendre series on the step (Hairer and Wanner, Solving Ordinary Differential Equations II,
+Sec. IV.5).
 """
 
 from collections.abc import Iterator
@@ -21,9 +22,11 @@ _ONE = np.eye(NODES)
 
 
 class Basis(NamedTuple):
-    """Radau's collocation on [0, 1]: `nodes` (n,), `transform` from values there to Legendre
-    coefficients, `integrals` (n, n) of the interpolant up to each node, and its double integral as
-    a Legendre series, `twice` (n + 2, n).
+    """The Radau collocation on [0, 1] with its `nodes` (n,).
+
+    `transform` (n, n) maps values at the nodes to Legendre coefficients, `integrals` (n, n) maps
+    them to the integrals of the interpolant up to each node. `twice` (n + 2, n) maps Legendre
+    coefficients to those of the double integral.
     """
 
     nodes: Array
@@ -34,7 +37,7 @@ class Basis(NamedTuple):
 
 @cache
 def basis() -> Basis:
-    """Radau's nodes are the zeros of P_n - P_(n-1), the last of them 1."""
+    """The collocation at Radau's nodes, the zeros of P_n - P_(n-1), of which the last is 1."""
     unit = np.eye(NODES + 1)
     z = legendre.legroots(unit[NODES] - unit[NODES - 1])
     transform = np.linalg.inv(legendre.legvander(z, NODES - 1)).astype(np.float64)
@@ -48,8 +51,9 @@ def advanced(x: Array, w: Array, length: float, rate: Array) -> tuple[Array, Arr
 
 
 def along(tau: Array, length: Array, x: Array, w: Array, rate: Array) -> Array:
-    """x [m], (..., 2), at times tau [s] into steps of given length (...), x and w (..., 2), rate
-    (..., 2, n).
+    """x (..., 2) [m] at times tau (...) [s] after the beginning of steps.
+
+    Each step has its length (...), x and w (..., 2) at its beginning, and rate (..., 2, n).
     """
     z = 2.0 * np.divide(tau, length, out=np.zeros(tau.shape), where=length > 0.0) - 1.0
     twice = (legendre.legvander(z.ravel(), NODES + 1) @ basis().twice).reshape(*z.shape, NODES)
@@ -59,8 +63,10 @@ def along(tau: Array, length: Array, x: Array, w: Array, rate: Array) -> Array:
 
 
 def collocate(T: Array, F: Array, w: Array, length: float) -> Array | None:
-    """Legendre coefficients of w' (2, n) [m/s2] on a step of that length [s] from velocity w (2,);
-    None where Newton's method fails. T (2, n) and F (n,) are the values at the nodes.
+    """The Legendre coefficients (2, n) [m/s2] of w' on a step; None if Newton's method fails.
+
+    The step starts with the velocity w (2,) and has a length [s]; T (2, n) and F (n,) are the
+    values at the nodes.
     """
     for guess in _guesses(T, F, w, length):
         v = _solved(T, F, w, length, guess)
@@ -71,7 +77,7 @@ def collocate(T: Array, F: Array, w: Array, length: float) -> Array | None:
 
 
 def _guesses(T: Array, F: Array, w: Array, length: float) -> Iterator[Array]:
-    """w at the nodes of a step, (2, n), if friction keeps its direction, and if w is along T."""
+    """w at the nodes (2, n) if friction keeps its direction, then w if it is along T."""
     A, speed, pull = length * basis().integrals, hypot(*w), np.hypot(*T)
     if speed > 0.0:
         yield w[:, None] + (T - F * (w / speed)[:, None]) @ A.T
@@ -79,10 +85,10 @@ def _guesses(T: Array, F: Array, w: Array, length: float) -> Iterator[Array]:
 
 
 def _solved(T: Array, F: Array, w: Array, length: float, v: Array) -> Array | None:
-    """w at the nodes of a step, (2, n), by Newton from the guess v.
+    """w at the nodes of a step, (2, n), by Newton's method from the guess v.
 
-    Friction changes along the normal n of w alone, so that each correction is found from its
-    components along n, one a node. The effect of rounding on w can only be judged relative to T and
+    Friction changes only along the normal n of w, so that each correction follows from its
+    component along n at each node. The effect of rounding on w can only be judged relative to T and
     F.
     """
     A, rounding = length * basis().integrals, 1e-15 * length * F.max()

@@ -1,9 +1,10 @@
 """A body that topples from rest about a fixed line below its centre, in closed form.
 
-theta'' = lam^2 sin(theta), lam^2 = m g h/I, theta [rad] from the upright, h [m] from the line to
-the centre, I [kg m2] about the line: a pendulum upside down. From theta0 at rest
+The body is an inverted pendulum: theta'' = lam^2 sin(theta), lam^2 = m g h/I, with theta [rad] from
+the upright position, the distance h [m] from the line to the centre and the moment of inertia
+I [kg m2] about the line. From rest at theta0 it follows
 
-sin(theta/2) = sin(theta0/2)/dn(lam t), of the modulus k = cos(theta0/2)
+sin(theta/2) = sin(theta0/2)/dn(lam t), with the modulus k = cos(theta0/2)
 
 (Jacobi; the pendulum's sin(phi/2) = k cd(lam t) with phi = pi - theta). Every function raises
 ValueError for parameters outside their ranges.

@@ -1,13 +1,14 @@
 """Coulomb stick and slip in a plane under a harmonic drive: steps between located events.
 
-A point at rest at first has w' = T - F w/|w|; it rests while w = 0 and |T| <= F. The drive T and
-the limit F >= 0 are sums of harmonics. A slip advances by `slip_collocation`; a step stands if the
-Legendre series of w' on it has decayed. Its end is then exact to rounding, since the order there is
-twice that of the series.
+A point that is initially at rest has w' = T - F w/|w|; it rests while w = 0 and |T| <= F. The drive
+T and the friction limit F >= 0 are sums of harmonics. A slip is integrated by `slip_collocation`; a
+step is accepted if the Legendre series of w' on it has decayed. The end of the step is then exact
+to rounding, since the order there is twice that of the series.
 
-A slip ends like the solution for constant T and F, whose F |w| + T.w falls at the rate F^2 - |T|^2:
-that is the step below a ten millionth of its speed. Rest ends where |T| rises above F, approached
-from below by steps that a bound on the second derivative of |T|^2 - F^2 makes safe.
+Near its end a slip follows the solution for constant T and F, in which F |w| + T.w falls at the
+rate F^2 - |T|^2: this gives the last step, from a ten millionth of the greatest speed. A rest ends
+where |T| rises above F. The steps approach that time from below, since a bound on the second
+derivative of |T|^2 - F^2 limits their length.
 """
 
 from collections.abc import Iterator
@@ -21,19 +22,21 @@ from reference_solutions.blocks.slip_collocation import NODES, advanced, along, 
 
 Array = NDArray[np.float64]
 
-TURN = 8 * np.arctan(np.longdouble(1))  # of which angles are taken, lest they lose digits late
-_DECAYED = 1e-10  # of the slip's greatest speed: what the last two Legendre terms may move
-_SLOW = 1e-7  # of the slip's greatest speed: the rest of the slip has the closed form
-_SOON = 1e-2  # [rad] of the fastest harmonic: T and F stay what they are for that long
-_NEARER = 0.7  # of the time to rest at the present deceleration: w/|w| is singular there
-_NOISE = 4e-16  # of |T| and F at most, over a step: what rounding moves
-_LEVEL = 1e-12  # of |T|^2 + F^2 at most: by how much |T|^2 exceeds F^2 where rest ends
-_MOST = 500  # steps in a slip or a rest, per period of the fastest harmonic
+TURN = 8 * np.arctan(np.longdouble(1))  # 2 pi, by which angles are reduced in extended precision
+_DECAYED = 1e-10  # of the slip's greatest speed: limit on the last two Legendre terms
+_SLOW = 1e-7  # of the slip's greatest speed: below it the slip ends by the closed form
+_SOON = 1e-2  # [rad] of the fastest harmonic: T and F count as constant for that long
+_NEARER = 0.7  # longest step over the time to rest, where w/|w| is singular
+_NOISE = 4e-16  # of the greatest F times the length of a step: rounding error of w
+_LEVEL = 1e-12  # of a bound of |T|^2 + F^2: excess of |T|^2 over F^2 where a rest ends
+_MOST = 500  # greatest number of steps in a slip or a rest, per period of the fastest harmonic
 
 
 class Drive(NamedTuple):
-    """The rows Tx, Ty and F [m/s2]: `constant` (3,) + `sine` (3, k) sin(omega t) + `cosine` (3, k)
-    cos(omega t), with `omega` (k,) [rad/s].
+    """The drive Tx, Ty and the friction limit F [m/s2], in rows, as sums of harmonics.
+
+    They are `constant` (3,) + `sine` (3, k) sin(omega t) + `cosine` (3, k) cos(omega t), with
+    `omega` (k,) [rad/s].
     """
 
     omega: Array
@@ -61,8 +64,10 @@ class Drive(NamedTuple):
 
 
 class Step(NamedTuple):
-    """`begin` and `length` [s] of a step and whether it `slips`; x (2,) [m] and w (2,) [m/s] at its
-    begin, and the Legendre coefficients of w' on it, `rate` (2, n) [m/s2].
+    """A step of a slip (`slips`) or of a rest, of a `length` [s] from `begin` [s] on.
+
+    x (2,) [m] and w (2,) [m/s] are those at `begin`; `rate` (2, n) [m/s2] are the Legendre
+    coefficients of w' on the step.
     """
 
     begin: float
@@ -73,7 +78,7 @@ class Step(NamedTuple):
     rate: Array
 
     def after(self) -> tuple[float, Array, Array]:
-        """Time, x and w at its end."""
+        """The time, x and w at the end of the step."""
         return self.begin + self.length, *advanced(self.x, self.w, self.length, self.rate)
 
 
@@ -86,9 +91,9 @@ class Interval(NamedTuple):
 
 
 def history(drive: Drive, end: float) -> tuple[Step, ...]:
-    """Steps that cover the motion from rest at t = 0 until `end` [s].
+    """The steps of the motion from rest at t = 0 until `end` [s].
 
-    Raises RuntimeError where the steps do not get there.
+    Raises RuntimeError if the steps do not reach `end`.
     """
     steps: list[Step] = []
     t, x, still = 0.0, np.zeros(2), np.zeros((2, NODES))
@@ -105,7 +110,7 @@ def history(drive: Drive, end: float) -> tuple[Step, ...]:
 
 
 def displacement(t: Array, steps: tuple[Step, ...]) -> Array:
-    """x [m] at times t [s] within the steps; the last axis, of 2, is added to those of t."""
+    """x [m] at times t (...) [s] within the steps, as an array (..., 2)."""
     begin, length, _, x, w, rate = (np.array(column) for column in zip(*steps, strict=True))
     i = np.searchsorted(begin, t, side="right") - 1
     return along(t - begin[i], length[i], x[i], w[i], rate[i])
@@ -124,7 +129,10 @@ def intervals(steps: tuple[Step, ...]) -> tuple[Interval, ...]:
 
 
 def _rest(drive: Drive, t: float, end: float) -> float:
-    """When the rest at t ends, or `end`: |T|^2 - F^2 stays below the parabola that bends most."""
+    """The time when the rest at t ends, at most `end`.
+
+    Each step leads to the zero of a parabola that is an upper bound of |T|^2 - F^2.
+    """
     change, signs = drive.change(), np.array([1.0, 1.0, -1.0])
     most, rate, curve = drive.bound(), change.bound(), change.change().bound()
     level, bend = _LEVEL * float(most @ most), 2.0 * float(most @ curve + rate @ rate)
@@ -173,7 +181,7 @@ def _slip(drive: Drive, t: float, x: Array, end: float) -> Iterator[Step]:
 
 
 def _braking(drive: Drive, t: float, w: Array) -> tuple[float, float]:
-    """Time to rest if w' keeps its component along w, with constant T and F; infinite if never."""
+    """The times to rest at constant deceleration and at constant T and F; infinite if never."""
     T, F = drive.at(t)[:2], float(drive.at(t)[2])
     speed, along, spare = hypot(*w), float(w @ T), F * F - float(T @ T)
     if F * speed <= along or spare == 0.0:

@@ -1,9 +1,10 @@
 """A box of uniform strain from the energies of its points, by integration: the second route.
 
-On its base: velocities and energies are summed over Gauss points of the box, its lower face is
-kept on the base by a multiplier. Spinning: the whole deformation gradient F is followed through
-finite rotations, rho int X X^T dV F'' = -V dW/dF with W of Saint Venant and Kirchhoff. Parameters
-are those of `reference_solutions.blocks.elastic_block`, whose code is not used here.
+For the box on its base, velocities and energies are summed over Gauss points, and a Lagrange
+multiplier keeps the lower face on the base. For the spinning box the deformation gradient F is
+integrated through finite rotations, rho int X X^T dV F'' = -V dW/dF, with the energy W of Saint
+Venant and Kirchhoff. Parameters are those of `reference_solutions.blocks.elastic_block`, whose code
+is not used here.
 """
 
 import itertools
@@ -29,12 +30,12 @@ def standing(
     t: Array, *, sides: Sides, rho: float, young: float, poisson: float, g: float,
     along: tuple[int, ...] = (0, 1, 2),
 ) -> Array:  # fmt: skip
-    """Strains (k, 3); if the box may strain along z only, the other strains minimise W."""
+    """The strains (k, 3); if the box may strain along z only, the other strains minimise W."""
     from scipy.integrate import solve_ivp
 
     places = GAUSS * np.array(sides) / 2.0
     unit = np.eye(4)[[i + 1 for i in along]]
-    fields = np.concatenate([np.eye(4)[:1], unit])  # the centroid's rise, and strains
+    fields = np.concatenate([np.eye(4)[:1], unit])  # displacement of the centroid, and strains
 
     def moved(q: Array, at: Array) -> Array:
         return np.asarray(at * q[1:] + q[0] * UP)
@@ -45,7 +46,7 @@ def standing(
     foot = np.array([moved(field, np.array([0.0, 0.0, -sides[2] / 2.0]))[2] for field in fields])
     n = len(fields)
     if len(along) == 1:
-        poisson = 0.0  # unloaded sides follow, and W is that of a bar
+        poisson = 0.0  # the lateral stress is zero, and W is that of a bar
     held = [[_mixed(a[1:], b[1:], young, poisson) for b in fields] for a in fields]
     whole = np.block([[mass, foot[:, None]], [foot[None], np.zeros((1, 1))]])
 
@@ -59,7 +60,7 @@ def standing(
 
 
 def _mixed(a: Array, b: Array, young: float, poisson: float) -> float:
-    """d2W/da db, from W of both together and of each."""
+    """The mixed derivative d2W/da db, from W of the sum and of each strain."""
     parts = [energy(e, young, poisson) for e in (a + b, a, b)]
     return parts[0] - parts[1] - parts[2]
 
@@ -67,7 +68,7 @@ def _mixed(a: Array, b: Array, young: float, poisson: float) -> float:
 def spinning(
     t: Array, *, sides: Sides, rho: float, young: float, poisson: float, spin: float
 ) -> Array:
-    """Green's strains (k, 3) along the axes of the box."""
+    """The Green strains (k, 3) along the axes of the box."""
     from scipy.integrate import solve_ivp
 
     second = rho / 8.0 * np.einsum("pi,pj->ij", *[GAUSS * np.array(sides) / 2.0] * 2)

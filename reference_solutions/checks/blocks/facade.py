@@ -1,9 +1,10 @@
 """Whether a facade stands, and the load on its bed, by linear programming: the second route.
 
-Two blocks meet where an edge of one lies on an edge of the other, whatever pattern they were laid
-in. At both ends of what the edges share acts a force that presses, and rubs within Coulomb's cone;
-each block is in balance. If such forces exist, there is a load path by which the facade can stand
-(Livesley 1978, International Journal for Numerical Methods in Engineering 12, 1853-1871).
+Two blocks are in contact where an edge of one lies on an edge of the other, whatever the pattern of
+the courses. A compressive force within Coulomb's cone acts at both ends of the segment that the
+edges share, and each block is in equilibrium. If such forces exist, there is a load path by which
+the facade can stand (Livesley 1978, International Journal for Numerical Methods in Engineering 12,
+1853-1871).
 """
 
 from itertools import combinations
@@ -12,17 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-NEAR = 1e-9  # of a length of 1 m
+NEAR = 1e-9  # [m], tolerance on lengths of about 1 m
 
 
 def area(corners: Array) -> float:
-    """Of a polygon (k, 2), by the trapezoids under its edges; positive if counter-clockwise."""
+    """The area of a polygon (k, 2), by trapezoids under edges; positive if counter-clockwise."""
     x, y = corners.T
     return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2.0
 
 
 def centroid(corners: Array) -> Array:
-    """Of a convex polygon (k, 2), by triangles to its first corner."""
+    """The centroid of a convex polygon (k, 2), by triangles that share its first corner."""
     fan = [(corners[0], corners[i], corners[i + 1]) for i in range(1, len(corners) - 1)]
     return np.asarray(
         np.average(
@@ -32,7 +33,7 @@ def centroid(corners: Array) -> Array:
 
 
 def shared(one: Array, other: Array) -> list[tuple[Array, Array]]:
-    """Ends (2,) of what edges of two polygons share, with the normal (2,) out of the first."""
+    """The ends (2,) of segments shared by edges of two polygons, and normals out of the first."""
     found = []
     for a, b in zip(one, np.roll(one, -1, axis=0), strict=True):
         length = float(np.linalg.norm(b - a))
@@ -48,9 +49,9 @@ def shared(one: Array, other: Array) -> list[tuple[Array, Array]]:
 
 
 def bed_load(blocks: list[Array], bed: Array, mu: float) -> float | None:
-    """The weight that the bed carries, of blocks of unit weight per area; None if they must fall.
+    """The load on the bed from blocks of unit weight per area; None if they cannot stand.
 
-    blocks, bed: corners (k, 2) [m] that turn left.
+    blocks, bed: corners (k, 2) [m], counter-clockwise.
     """
     from scipy.optimize import linprog
 
@@ -58,7 +59,7 @@ def bed_load(blocks: list[Array], bed: Array, mu: float) -> float | None:
     columns, on_bed = [], []
     for i, j in combinations(range(len(all_of_them)), 2):
         for point, normal in shared(all_of_them[i], all_of_them[j]):
-            for side in (1.0, -1.0):  # the two edges of the cone
+            for side in (1.0, -1.0):  # the two edges of the friction cone
                 force = normal + side * mu * np.array([-normal[1], normal[0]])
                 column = np.zeros((len(all_of_them), 3))
                 for k, sign in ((i, -1.0), (j, 1.0)):

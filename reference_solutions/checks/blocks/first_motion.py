@@ -1,8 +1,8 @@
 """How a block on a slope begins to move, by trying all modes of two edges: the second route.
 
-Each edge is off, sticks, slips down or slips up. Of the 16 pairs the one is looked for whose
-forces push, obey Coulomb, and keep edges from entering the slope. Where both stick, some forces in
-balance are looked for, since these are not unique.
+Each edge is open, sticks, slips down or slips up. Of the 16 pairs of these states the solution is
+the one with compressive forces within Coulomb's law and without penetration of the slope. Where
+both edges stick the forces are not unique, and any forces in equilibrium suffice.
 """
 
 from itertools import product
@@ -16,7 +16,10 @@ SMALL = 1e-12  # of g'
 
 
 def acceleration(*, psi: float, phi: float, delta: float) -> Array:
-    """(down the slope, out of it, forward) of the centre over g', of a half diagonal of 1."""
+    """The acceleration (3,) of the centre over g', for a half diagonal of 1.
+
+    It consists of the components down the slope and out of it and of the forward rotation.
+    """
     p, mu = radians(psi), tan(radians(phi))
     b, h = sin(radians(delta)), cos(radians(delta))
     pull = np.array([sin(p), -cos(p), 0.0])
@@ -32,7 +35,7 @@ def acceleration(*, psi: float, phi: float, delta: float) -> Array:
 def _tried(
     states: tuple[str, ...], pull: Array, mu: float, at: tuple[float, ...], h: float
 ) -> Array | None:
-    """The acceleration in a mode; None where it contradicts itself."""
+    """The acceleration in a mode; None where the mode is inconsistent."""
     rows, right = [np.hstack([np.eye(3), -_levers(at, h)])], [pull]
     for i, state in enumerate(states):
         normal, along = np.zeros(7), np.zeros(7)
@@ -54,13 +57,13 @@ def _tried(
 
 
 def _levers(at: tuple[float, ...], h: float) -> Array:
-    """(3, 4): what (push, rub) of either edge give the centre; its radius of gyration^2 is 1/3."""
+    """The accelerations (3, 4) by unit normal and friction forces of both edges; k^2 = 1/3."""
     columns = [column for x in at for column in ((0.0, 1.0, -3.0 * x), (1.0, 0.0, -3.0 * h))]
     return np.array(columns).T
 
 
 def _holds(state: str, x: Array, mu: float, at: float, h: float, i: int) -> bool:
-    """Whether an edge does what it was taken to do."""
+    """Whether the solution agrees with the assumed state of an edge."""
     rises, slips = x[1] - at * x[2], x[0] - h * x[2]
     push, rub = x[3 + 2 * i], x[4 + 2 * i]
     if state == "off":
@@ -71,7 +74,7 @@ def _holds(state: str, x: Array, mu: float, at: float, h: float, i: int) -> bool
 
 
 def _may_rest(pull: Array, mu: float, b: float, h: float) -> bool:
-    """Whether forces within Coulomb's law hold the block: the resultant meets its base and cone."""
+    """Whether contact forces within Coulomb's law can keep the block in equilibrium."""
     from scipy.optimize import linprog
 
     cone = [[-mu, 1.0, 0.0, 0.0], [-mu, -1.0, 0.0, 0.0]]

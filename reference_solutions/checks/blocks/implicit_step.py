@@ -1,13 +1,16 @@
 """The implicit step of DDA, step by step: the second route to its properties.
 
-The increment d of a step solves (2/D^2) m (d - D v) = force at its end; nothing is solved by hand.
+The increment d of a step D solves (2/D^2) m (d - D v) = force at its end, step by step numerically.
 """
 
 import numpy as np
 
 
 def one_step(x: float, v: float, dt: float, stiffness: float, a: float) -> tuple[float, float]:
-    """Position [m] and velocity [m/s] after dt [s]; stiffness K/m [1/s2] about x = 0, a [m/s2]."""
+    """Position [m] and velocity [m/s] after a step dt [s].
+
+    stiffness: K/m [1/s2] of a spring about x = 0; a: acceleration [m/s2] by a constant force.
+    """
     inertia = 2.0 / (dt * dt)
     moved = (inertia * dt * v + a - stiffness * x) / (inertia + stiffness)
     return x + moved, 2.0 / dt * moved - v
@@ -26,7 +29,7 @@ def damping_ratio(angle: float) -> float:
 
 
 def damped_drive(a: float, dt: float, steps: int, kept: float) -> float:
-    """The displacement [m] of a block under a [m/s2], if each step keeps part of its velocity."""
+    """The displacement [m] under a [m/s2], if the fraction `kept` of the velocity enters a step."""
     x = v = 0.0
     for _ in range(steps):
         x, v = one_step(x, kept * v, dt, 0.0, a)

@@ -1,10 +1,11 @@
 """Second route to the block on an incline: Coulomb's law integrated numerically, mode by mode.
 
-In one direction velocity and displacement are Gauss integrals of gravity, drive and friction over
-pieces of an eighth of a period; where the velocity or the margin of friction changes sign on a grid
-in the piece, Brent's method finds the event. In two directions speed and heading are integrated by
-an explicit Runge-Kutta method from just after each begin of slip, where the speed is the integral
-of |T| - F and the heading lags behind T by the first term of its series. Parameters are those of
+In one direction velocity and displacement are integrals of gravity, drive and friction by Gauss
+quadrature over pieces of an eighth of a period. A grid in each piece brackets the sign changes of
+the velocity or the margin of friction, and Brent's method finds the event. In two directions speed
+and heading are integrated by an explicit Runge-Kutta method from just after the beginning of each
+slip, where the speed is the integral of |T| - F and the heading lags behind T by the first term of
+its series. Parameters are those of
 `reference_solutions.blocks.incline`, whose code is not used here.
 
 A slip or rest shorter than the grid, 1/512 of a period, can be missed.
@@ -22,7 +23,7 @@ Push = Callable[[Array], Array]
 _GRID = 64
 _MOST = 2000
 _RTOL = 1e-11
-_STOPPED = 1e-7  # of the greatest speed that gravity gives in a period
+_STOPPED = 1e-7  # of g over the greater angular frequency: the speed at which a slip ends
 _X, _W = (0.5 * v for v in np.polynomial.legendre.leggauss(14))
 _X = _X + 0.5
 
@@ -30,7 +31,7 @@ _X = _X + 0.5
 def newmark(
     t: ArrayLike, *, alpha: float, phi: float, A: float, f: float, g: float, v0: float
 ) -> Array:
-    """d [m] at times t [s]: d'' = T - F sign(d'), at rest while |T| <= F."""
+    """d [m] at times t [s], by d'' = T - F sign(d'), or at rest while |T| <= F."""
     slope, mu = radians(alpha), tan(radians(phi))
 
     def pull(s: Array) -> Array:
@@ -65,7 +66,7 @@ def _sliding(pull: Push, limit: Push, way: float) -> Push:
 
 
 def _moved(acceleration: Push, begin: float, t: Array, v: float) -> Array:
-    """Velocity and displacement gained from velocity v at begin to the times t, (2, n)."""
+    """The velocity at times t, and the displacement since `begin`, where it was v, (2, n)."""
     span = t - begin
     a = acceleration(begin + np.multiply.outer(span, _X))
     moved = v + span * (a @ _W), span * (v + span * (a @ (_W * (1.0 - _X))))
@@ -73,7 +74,7 @@ def _moved(acceleration: Push, begin: float, t: Array, v: float) -> Array:
 
 
 def _slide(acceleration: Push, s: Array, v: float, way: float) -> tuple[float, bool]:
-    """Until when the slip goes on, at most the end of the grid s, and whether it stops there."""
+    """The time until which a slip lasts, at most the end of s, and whether it stops then."""
     from scipy.optimize import brentq
 
     def speed(time: Array) -> Array:
@@ -88,7 +89,7 @@ def _slide(acceleration: Push, s: Array, v: float, way: float) -> tuple[float, b
 
 
 def _rest(pull: Push, limit: Push, s: Array) -> tuple[float, float]:
-    """Until when the block rests, at most the end of the grid s, and which way it slips then."""
+    """The time until which a rest lasts, at most the end of s, and the direction of slip."""
     from scipy.optimize import brentq
 
     def excess(time: Array) -> Array:
@@ -141,7 +142,7 @@ Drive = Callable[[Array | float], tuple[Array, Array, Array]]
 
 
 def _wake(drive: Drive, now: float, end: float, scale: float) -> float:
-    """When |T| exceeds F."""
+    """The first time at which |T| exceeds F, at most `end`."""
     from scipy.optimize import brentq
 
     def excess(s: Array) -> Array:
@@ -162,7 +163,7 @@ def _wake(drive: Drive, now: float, end: float, scale: float) -> float:
 def _turn(
     drive: Drive, begin: float, x: Array, t: Array, y: Array, scale: float, stopped: float
 ) -> tuple[float, Array]:
-    """Fills y at the times t of a slip from rest at x; its end and where it ends."""
+    """Fill in y at the times t of a slip from rest at x; return the time and place of its end."""
     from scipy.integrate import solve_ivp
 
     def rate(s: float, z: Array) -> tuple[float, float, float, float]:
@@ -194,9 +195,9 @@ def _turn(
 
 
 def _launched(drive: Drive, begin: float, x: Array, scale: float) -> tuple[float, Array]:
-    """Time and x, y, speed, heading just after a slip begins.
+    """The time and the state x, y, speed, heading just after a slip begins.
 
-    The heading is that of T a fraction |T|/(2|T| - F) of the time since the begin ago.
+    The heading is that of T at the fraction |T|/(2|T| - F) of the time since the slip began.
     """
     tx, ty, limit = drive(begin)
     pull = hypot(float(tx), float(ty))

@@ -1,6 +1,6 @@
-"""A block that slips one way along a shaken wall, by numerical integration: the second route.
+"""A block that slips in one direction along a shaken wall, by integration: the second route.
 
-The equation of motion as it stands, by an explicit Runge-Kutta method of order 8; parameters are
+The equation of motion is integrated by an explicit Runge-Kutta method of order 8; parameters are
 those of `reference_solutions.blocks.laden_block`, whose code is not used here.
 """
 
@@ -14,7 +14,7 @@ Sine = tuple[float, float, float]  # amplitude, omega [rad/s], phase [rad]
 def pressure(
     t: Array, *, constant: tuple[float, float], shaking: tuple[Sine, Sine], lifting: Sine
 ) -> Array:
-    """Pressure over mass [m/s2] at times t (n,) [s]."""
+    """The normal force per mass [m/s2] at times t (n,) [s]."""
     (a, w, phi), (size, omega, phase) = shaking[1], lifting
     lift = (1j * omega) ** 2 * size * np.exp(1j * (omega * t + phase))
     return np.asarray((lift - a * np.exp(1j * (w * t + phi))).imag - constant[1])
@@ -32,7 +32,7 @@ def motion(
 ) -> tuple[Array, Array]:
     """Displacement [m] and velocity [m/s] along the slip at increasing times t (n,) [s] from 0.
 
-    They end where the block moves no faster than the wall, or does not press on it.
+    They end where the block no longer moves faster than the wall, or loses contact with it.
     """
     from scipy.integrate import solve_ivp
 

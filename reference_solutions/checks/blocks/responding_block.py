@@ -1,11 +1,11 @@
-"""Second route to the responding block: straight lines of velocity, and stiff integrators.
+"""Second route to the responding block: piecewise linear velocity, and stiff integrators.
 
-In one direction the velocity of a dragged block is a straight line in time; where it meets that of
-the base on a grid in each period, Brent's method finds the event. In two and three directions the
-Cartesian components of the lag behind the base are integrated, from a relative speed too small to
-matter until it falls below one: by an implicit Runge-Kutta method where a slip begins, which is
-stiff there, and by a multistep method from then on. Parameters are those of
-`reference_solutions.blocks.responding_block`, whose code is not used here.
+In one direction the velocity of a slipping block is linear in time. A grid in each period brackets
+the event at which it equals that of the base, and Brent's method finds it. In two and three
+directions the Cartesian components of the lag behind the base are integrated, from a negligible
+relative speed until the speed is negligible again: by an implicit Runge-Kutta method where a slip
+begins, since the equations are stiff there, and by a multistep method from then on. Parameters are
+those of `reference_solutions.blocks.responding_block`, whose code is not used here.
 
 A slip or rest shorter than the grid, 1/256 of a period, can be missed.
 """
@@ -23,11 +23,11 @@ _MOST = 20_000
 _Routine = tuple[Literal["Radau", "LSODA"], float, float]  # relative and absolute tolerance
 _ROUTINES: tuple[_Routine, ...] = (("Radau", 1e-9, 1e-14), ("LSODA", 1e-12, 1e-14))
 _STARTED = 1e-12  # of the base's greatest speed: the relative speed at which a slip begins
-_STOPPED = 1e-7  # of the base's greatest speed: the relative speed at which it ends
+_STOPPED = 1e-7  # of the base's greatest speed: the relative speed at which a slip ends
 
 
 def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> Array:
-    """d2 [m] at times t [s]; times of events count from the last whole period, to stay sharp."""
+    """d2 [m] at times t [s]; times of events count from the last whole period, to stay accurate."""
     t, rate = np.asarray(t, dtype=np.float64), tau * f
     d2, now, x, v, way, periods = np.full(t.shape, np.nan), 0.0, 0.0, 0.0, 0.0, 0
 
@@ -42,7 +42,7 @@ def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> A
             here = (now <= past) & (past <= then)
             d2[here] = x + base(past[here]) - base(now)
             x += float(base(then) - base(now))
-            # where friction turns at once, the block keeps its velocity to the last digit
+            # Where friction reverses at once, the block keeps its velocity to the last digit.
             v = v if then == now else D * rate * sin(rate * then)
         else:
             a = way * mu * g
@@ -59,7 +59,7 @@ def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> A
 
 
 def _carried(now: float, most: float, rate: float, limit: float) -> tuple[float, float]:
-    """When the base outruns friction, and the sign of its acceleration then."""
+    """The time when the base accelerates beyond friction, and the sign of its acceleration then."""
     from scipy.optimize import brentq
 
     def spare(s: float) -> float:
@@ -76,7 +76,7 @@ def _carried(now: float, most: float, rate: float, limit: float) -> tuple[float,
 
 
 def _caught(now: float, v: float, a: float, fastest: float, rate: float) -> float:
-    """When a block with velocity v and acceleration a is as fast as the base again."""
+    """The time when a block with velocity v and acceleration a has the base's velocity again."""
     from scipy.optimize import brentq
 
     def ahead(s: float) -> float:
@@ -136,12 +136,12 @@ class Base(NamedTuple):
     g: float
 
     def acceleration(self, s: float) -> list[float]:
-        """a1x, a1y, a1z [m/s2]."""
+        """The accelerations a1x, a1y, a1z [m/s2] of the base."""
         each = zip(self.D.tolist(), self.rate.tolist(), strict=True)
         return [D * rate * rate * cos(rate * s) for D, rate in each]
 
     def outruns(self, now: float, end: float) -> float:
-        """The next time at which the base accelerates more than friction can follow."""
+        """The next time at which the acceleration of the base exceeds the limit of friction."""
         from scipy.optimize import brentq
 
         def excess(s: float) -> float:
@@ -155,13 +155,13 @@ class Base(NamedTuple):
         return end
 
     def drags(self, s: float, z: Array) -> tuple[float, float, float, float]:
-        """The rate of lag and relative velocity, z (4,), of a block that slips."""
+        """The rates of the lag and the relative velocity, z (4,), of a slipping block."""
         ax, ay, az = self.acceleration(s)
         pull = self.mu * (self.g + az) / hypot(z[2], z[3])
         return z[2], z[3], -ax - pull * z[2], -ay - pull * z[3]
 
     def stiffness(self, s: float, z: Array) -> Array:
-        """The derivative of that rate by z, (4, 4)."""
+        """The derivatives (4, 4) of the rates of `drags` with respect to z."""
         speed, change = hypot(z[2], z[3]), np.eye(4, k=2)
         limit = self.mu * (self.g + self.acceleration(s)[2])
         normal = np.array([-z[3], z[2]]) / speed
@@ -170,7 +170,7 @@ class Base(NamedTuple):
 
 
 def _dragged(base: Base, begin: float, lag: Array, t: Array, lags: Array) -> tuple[float, Array]:
-    """Fills the lags at the times t of a slip; its end and the lag there."""
+    """Fill in the lags at the times t of a slip; return the time of its end and the lag there."""
     from scipy.integrate import solve_ivp
 
     fastest = float(np.hypot(*(base.D * base.rate)[:2]))

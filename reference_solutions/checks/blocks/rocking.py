@@ -1,7 +1,8 @@
 """A rocking block by small Runge-Kutta steps, with impacts by bisection: the second route.
 
-Positions of the corners tell when it meets the floor, and the moment of momentum about the corner
-that lands what it keeps, so that nothing of the first route's formulas is used but the geometry.
+The positions of the corners determine when the block meets the floor, and the conservation of
+angular momentum about the landing corner determines its rate after the impact. Apart from the
+geometry no formulas of the first route are used.
 """
 
 from math import atan2, cos, hypot, pi, sin
@@ -20,14 +21,14 @@ def leans(
     theta: float,
     steps: int,
 ) -> float:
-    """The lean [rad] after a time t [s] in this many steps, initially at rest at theta > 0.
+    """The lean [rad] after a time t [s] in `steps` steps, initially at rest at theta > 0.
 
-    Or, with theta = 0, from when the sine first lifts the block towards +x.
+    With theta = 0 the motion starts when the sine first lifts the block towards +x.
     """
     x, rate, now, side, dt = theta, 0.0, 0.0, 1.0, t / steps
     while now < t - 1e-12:
         if x == rate == 0.0 and pushed(0.0, side, now, b, h, g, A, w, T) <= 0.0:
-            now += dt  # it stands
+            now += dt  # The block stands.
             continue
         span = min(dt, t - now)
         if now < T < now + span:
@@ -48,21 +49,21 @@ def leans(
 
 
 def landed(rate: float, b: float, h: float) -> float:
-    """The rate [1/s] about the other corner of a block that lands at -rate about the first.
+    """The rate [1/s] about the other corner of a block that lands with -rate about the first.
 
-    Moment of momentum about the corner that lands, for a unit mass: r x v + I w.
+    The angular momentum about the landing corner, r x v + I w for a unit mass, is conserved.
     """
     about = (b * b + h * h) / 3.0
-    speed = (h * rate, -b * rate)  # of the centre as it comes down, which it does for rate < 0
+    speed = (h * rate, -b * rate)  # of the centre, which moves down for rate < 0
     before = h * speed[0] + b * speed[1] + about * rate
     return abs(before) / (about + b * b + h * h)
 
 
-# All that the moments depend on.
+# The moments depend on all of these.
 def pushed(
     x: float, side: float, now: float, b: float, h: float, g: float, A: float, w: float, T: float
 ) -> float:
-    """The acceleration [1/s2] of a lean x towards `side`, from moments of forces on the centre."""
+    """The angular acceleration [1/s2] at a lean x towards `side`, from moments of the forces."""
     lean, r = atan2(b, h) - x, hypot(b, h)
     level = side * A * sin(w * now) if now < T else 0.0
     return (level * r * cos(lean) - g * r * sin(lean)) / (4.0 / 3.0 * r * r)
@@ -71,7 +72,7 @@ def pushed(
 def stepped(
     x: float, rate: float, side: float, now: float, dt: float, law: tuple[float, ...]
 ) -> tuple[float, float]:
-    """One step of the classical method of fourth order."""
+    """One step of the classical Runge-Kutta method of fourth order: the lean and its rate."""
     b, h, g, A, w, T = law
     T = T + 1e-12 if now + dt <= T + 1e-12 else (0.0 if now >= T - 1e-12 else T)
 
@@ -88,7 +89,7 @@ def stepped(
 def overturns(
     A: float, *, b: float, h: float, g: float, w: float, steps: int, patience: float = 12.0
 ) -> bool:
-    """Whether a half sine overturns the block before it comes back, stepped until one happens."""
+    """Whether a half sine overturns the block, in steps until it overturns or returns."""
     law, T = (b, h, g, A, w, pi / w), pi / w
     x, rate, now, dt = 0.0, 0.0, 0.0, pi / w / steps
     while now < patience:

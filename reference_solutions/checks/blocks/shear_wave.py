@@ -1,4 +1,4 @@
-"""Second routes to shear waves in a column: modes, and matrices of elements stepped by DDA."""
+"""Second routes to shear waves in a column: sums of modes, and finite elements in steps of DDA."""
 
 from collections.abc import Sequence
 from math import pi
@@ -10,7 +10,7 @@ Array = NDArray[np.float64]
 
 
 def displacement(t: Array, *, y: float, height: float, c: float, D: float, F: float) -> Array:
-    """u [m] as a sum over 4000 modes of a column fixed below, driven by its own inertia."""
+    """u [m] as a sum over 4000 modes of a column fixed below, driven by the inertia force."""
     odd = 2.0 * np.arange(1, 4001) - 1.0
     w, drive = odd * pi * c / (2.0 * height), 2.0 * pi * F
     shape = np.sin(odd * pi * y / (2.0 * height)) * 4.0 / (odd * pi)
@@ -22,7 +22,7 @@ def displacement(t: Array, *, y: float, height: float, c: float, D: float, F: fl
 def layered_displacement(
     t: Array, *, number: int, layers: int, height: float, c: float, D: float, F: float
 ) -> Array:
-    """u [m] of a layer's centre by the swings of the matrices of its elements."""
+    """u [m] of the centre of a layer as a sum over the modes of the element matrices."""
     from scipy.linalg import eigh
 
     mass, stiff = _elements(layers, height, c)
@@ -38,7 +38,7 @@ def layered_displacement(
 def stepped_displacement(
     steps: int, *, dt: float, number: int, layers: int, height: float, c: float, D: float, F: float
 ) -> Array:
-    """The same in steps of DDA, taken by the matrices with the base among the joints."""
+    """u [m] of that centre in steps of DDA, by matrices that include the base among the joints."""
     mass, stiff = _elements(layers, height, c)
     matrix = 2.0 / dt**2 * mass + stiff
     u, v, seen = np.zeros(layers + 1), np.zeros(layers + 1), [0.0]
@@ -68,7 +68,7 @@ def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) 
 
 
 def continuous_ratio(*, F: float, height: float, c: float, damping: float) -> float:
-    """The size of the motion of the top over the base's, by 300 elements of SHAKE's material."""
+    """The amplitude of the top over that of the base, by 300 elements of SHAKE's material."""
     mass, stiff = _elements(300, height, c)
     turned = np.exp(2j * np.arcsin(damping)) * stiff
     matrix = (turned - (2.0 * pi * F) ** 2 * mass)[1:]
@@ -76,7 +76,7 @@ def continuous_ratio(*, F: float, height: float, c: float, damping: float) -> fl
 
 
 def unlike_ratio(*, F: float, dt: float, layers: Sequence[tuple[float, float, float]]) -> complex:
-    """As `layered_ratio`, of layers of thickness, shear modulus and density from the base up."""
+    """The ratio of `layered_ratio` for layers (thickness, modulus G, density) from the base up."""
     mass, stiff = _unlike(layers)
     e = np.exp(2j * pi * F * dt)
     moved = (e - 1.0) - 2.0 * (e - 1.0) / (e + 1.0)
@@ -88,7 +88,7 @@ def unlike_ratio(*, F: float, dt: float, layers: Sequence[tuple[float, float, fl
 def unlike_continuous_ratio(
     *, F: float, layers: Sequence[tuple[float, float, float]], damping: float, parts: int = 100
 ) -> float:
-    """The size of the motion of the top layer's middle, by many elements of SHAKE's material."""
+    """The amplitude at the top layer's centre over the base's, by elements of SHAKE's material."""
     fine = [(thick / parts, G, rho) for thick, G, rho in layers for _ in range(parts)]
     mass, stiff = _unlike(fine)
     matrix = (np.exp(2j * np.arcsin(damping)) * stiff - (2.0 * pi * F) ** 2 * mass)[1:]
@@ -96,7 +96,7 @@ def unlike_continuous_ratio(
 
 
 def _unlike(layers: Sequence[tuple[float, float, float]]) -> tuple[Array, Array]:
-    """Consistent mass and stiffness (n, n) of linear elements."""
+    """The consistent mass and stiffness (n, n) of linear elements of different layers."""
     n = len(layers) + 1
     mass, stiff = np.zeros((n, n)), np.zeros((n, n))
     for i, (thick, G, rho) in enumerate(layers):
@@ -106,7 +106,7 @@ def _unlike(layers: Sequence[tuple[float, float, float]]) -> tuple[Array, Array]
 
 
 def _elements(count: int, height: float, c: float) -> tuple[Array, Array]:
-    """Consistent mass and stiffness (n, n) of linear elements, per density."""
+    """The consistent mass and stiffness (n, n) of equal linear elements, over the density."""
     h, n = height / count, count + 1
     mass, stiff = np.zeros((n, n)), np.zeros((n, n))
     for i in range(count):

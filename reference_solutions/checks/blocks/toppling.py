@@ -1,7 +1,7 @@
 """A body that topples about a fixed line, by numerical integration: the second route.
 
-An explicit Runge-Kutta method of order 8; parameters are those of the first route,
-whose code is not used here.
+The equation of motion is integrated by an explicit Runge-Kutta method of order 8; parameters are
+those of the first route, whose code is not used here.
 """
 
 import numpy as np
