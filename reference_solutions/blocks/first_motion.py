@@ -4,8 +4,8 @@ psi is the angle of the slope plus the angle between the vertical and the result
 and a horizontal force, phi the friction angle, and tan(delta) = b/h for the half sides b along the
 slope and h across it [any unit of length]. All accelerations are divided by the acceleration g' due
 to the resultant. With mu = tan(phi), k^2 = (b^2 + h^2)/3 and the vector r = (h, b) from the lower
-edge to the centre, down the slope and out of it, the acceleration a and the normal force n over the
-mass are
+edge to the centre, down the slope and out of it, the acceleration a of the centre and
+the normal force n per mass are
 
 slides                 a = (sin psi - mu cos psi, 0)
 topples                a = q (h, b), q = (h sin psi - b cos psi)/(4 k^2)

@@ -1,12 +1,15 @@
 """The step of generalised alpha on a harmonic oscillator: the roots of its characteristic cubic.
 
 Let S be the shift by one step D. Newmark's formulas for x and v with beta and gamma, from which v
-is eliminated by means of two successive steps, give (S - 1)^2 x = D^2 (beta S^2 + (1/2 + gamma - 2
-beta) S + 1/2 - gamma + beta) a for x'' = a; the equation of motion is ((1 - alpha_m) S + alpha_m) a
-= -w^2 ((1 - alpha_f) S + alpha_f) x. Both together give a cubic in S, whose roots are those of a
-step with the angle w D (Chung and Hulbert 1993, Eq. 14). Its coefficients follow from the spectral
-radius at infinite angle (their Eqs. 17, 20, 25). Every function raises ValueError for parameters
-outside their ranges.
+is eliminated by means of two successive steps, and the equation of motion are
+
+(S - 1)^2 x = D^2 (beta S^2 + (1/2 + gamma - 2 beta) S + 1/2 - gamma + beta) a
+((1 - alpha_m) S + alpha_m) a = -w^2 ((1 - alpha_f) S + alpha_f) x
+
+with the acceleration a. Together they give a cubic in S, whose roots are those of a step with the
+angle w D (Chung and Hulbert 1993, Eq. 14). Its coefficients follow from the spectral radius at
+infinite angle (their Eqs. 17, 20, 25). Every function raises ValueError for parameters outside
+their ranges.
 """
 
 from cmath import phase

@@ -206,7 +206,7 @@ def _descents(law: Law, direction: int, angle: float, last: float) -> Iterator[t
 
 
 def _root(f: Function, slope: Function, low: float, high: float) -> float:
-    """Where f falls through 0 between f(low) > 0 and f(high) < 0, by Newton inside the bracket."""
+    """Where f falls through 0 between f(low) > 0 and f(high) < 0, by bracketed Newton iteration."""
     x = (low + high) / 2.0
     for _ in range(100):
         y, descent = f(x), slope(x)

@@ -40,9 +40,10 @@ def damping_ratio(angle: float) -> float:
 def damped_drive(a: float, dt: float, steps: int, kept: float) -> float:
     """The displacement [m] of a block under an acceleration a [m/s2] in `steps` steps dt [s].
 
-    kept: the fraction r of its velocity that the block keeps from one step to the next. After N
-    steps the displacement is a dt^2 (N/2 + r/(1-r) (N - (1-r^N)/(1-r))). For r < 1 it tends to a t
-    dt (1+r)/(2(1-r)), which vanishes with the step, whereas the exact displacement is a t^2/2.
+    kept: the fraction r of its velocity that the block keeps from one step to the next.
+
+    After N steps the displacement is a dt^2 (N/2 + r/(1-r) (N - (1-r^N)/(1-r))). For r < 1 it tends
+    to a t dt (1+r)/(2(1-r)), which vanishes with the step, whereas a t^2/2 is exact.
     """
     require_finite("m/s2", a=a)
     require_positive("s", dt=dt)

@@ -3,7 +3,7 @@
 A block of half sides b and h leans by theta about the corner it stands on, positive towards +x:
 theta'' = p^2 (-sin(alpha - theta) + (a/g) cos(alpha - theta)) for theta > 0 and its mirror image
 for theta < 0, with tan(alpha) = b/h, R^2 = b^2 + h^2, p^2 = 3 g/(4 R) and a = A sin(w t) until T.
-The upright block stands until |a| > g tan(alpha). When it meets the floor its rate is multiplied by
+The upright block stands until |a| > g tan(alpha). When the block lands, its rate is multiplied by
 1 - 1.5 sin^2(alpha), which conserves the angular momentum about the other corner (Makris and
 Roussos 2000). Every function raises ValueError for parameters outside their ranges.
 """

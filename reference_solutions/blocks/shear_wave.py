@@ -11,10 +11,10 @@ h^2/3c^2)/(1 + W^2 h^2/6c^2), W = w, as for linear finite elements with consiste
 dt has W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2) in place of w^2, which damps. SHAKE has
 a constant damping ratio z: q = w/(c sqrt(1 - 2 z^2 + 2 i z sqrt(1 - z^2))). Layers with different
 properties, of stiffness matrices (a, -b; -b, a), are treated from the top down: the impedance at
-the lower end of a layer is Z = a - b^2/(a + Z'), Z' that of the layer above, and its upper end
-moves by b/(a + Z') of its lower end. Uniform strain has a = G/h - W^2 rho h/3 and b = G/h + W^2 rho
-h/6, a wave has a = G q cot q h and b = G q/sin q h. Every function raises ValueError for a
-parameter out of range.
+the lower end of a layer is Z = a - b^2/(a + Z'), where Z' is that of the layer above, and the
+motion of its upper end over that of its lower end is b/(a + Z'). Uniform strain has a = G/h - W^2
+rho h/3 and b = G/h + W^2 rho h/6, a wave has a = G q cot q h and b = G q/sin q h. Every function
+raises ValueError for a parameter out of range.
 """
 
 from cmath import acos, exp
@@ -95,8 +95,7 @@ def stepped_displacement(
 ) -> Array:
     """u [m] (steps + 1,) of the same centre in steps dt [s] of DDA.
 
-    A step has the increment d, the acceleration (2/dt^2)(d - dt v) and the next velocity 2 d/dt -
-    v.
+    A step has the increment d, the acceleration (2/dt^2)(d - dt v) and the end velocity 2 d/dt - v.
     """
     own = _chain(number, layers, height, c)
     require_positive("in SI units", dt=dt, F=F)
@@ -155,7 +154,7 @@ def unlike_ratio(*, F: float, dt: float, layers: Sequence[Layer]) -> complex:
 
 
 def unlike_continuous_ratio(*, F: float, layers: Sequence[Layer], damping: float) -> float:
-    """The amplitude of the top layer's middle over that of the base, at a damping ratio."""
+    """The amplitude of the top layer's centre over the base's, at a constant damping ratio."""
     require_positive("in SI units", F=F)
     require_at_least_0("", damping=damping)
     z = damping

@@ -65,7 +65,7 @@ def along(tau: Array, length: Array, x: Array, w: Array, rate: Array) -> Array:
 def collocate(T: Array, F: Array, w: Array, length: float) -> Array | None:
     """The Legendre coefficients (2, n) [m/s2] of w' on a step; None if Newton's method fails.
 
-    The step starts with the velocity w (2,) and has a length [s]; T (2, n) and F (n,) are the
+    The step starts with the velocity w (2,) and has the `length` [s]; T (2, n) and F (n,) are the
     values at the nodes.
     """
     for guess in _guesses(T, F, w, length):
@@ -77,7 +77,7 @@ def collocate(T: Array, F: Array, w: Array, length: float) -> Array | None:
 
 
 def _guesses(T: Array, F: Array, w: Array, length: float) -> Iterator[Array]:
-    """w at the nodes (2, n) if friction keeps its direction, then w if it is along T."""
+    """Guesses of w at the nodes (2, n): for a constant direction of friction, and for w along T."""
     A, speed, pull = length * basis().integrals, hypot(*w), np.hypot(*T)
     if speed > 0.0:
         yield w[:, None] + (T - F * (w / speed)[:, None]) @ A.T

@@ -23,10 +23,10 @@ from reference_solutions.blocks.slip_collocation import NODES, advanced, along, 
 Array = NDArray[np.float64]
 
 TURN = 8 * np.arctan(np.longdouble(1))  # 2 pi, by which angles are reduced in extended precision
-_DECAYED = 1e-10  # of the slip's greatest speed: limit on the last two Legendre terms
+_DECAYED = 1e-10  # of the slip's greatest speed: limit on w from the last two Legendre terms
 _SLOW = 1e-7  # of the slip's greatest speed: below it the slip ends by the closed form
 _SOON = 1e-2  # [rad] of the fastest harmonic: T and F count as constant for that long
-_NEARER = 0.7  # longest step over the time to rest, where w/|w| is singular
+_NEARER = 0.7  # longest step over the time to rest at this deceleration; w/|w| is singular there
 _NOISE = 4e-16  # of the greatest F times the length of a step: rounding error of w
 _LEVEL = 1e-12  # of a bound of |T|^2 + F^2: excess of |T|^2 over F^2 where a rest ends
 _MOST = 500  # greatest number of steps in a slip or a rest, per period of the fastest harmonic
@@ -64,7 +64,7 @@ class Drive(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A step of a slip (`slips`) or of a rest, of a `length` [s] from `begin` [s] on.
+    """A step of a slip (`slips`) or of a rest, with a `length` [s] from `begin` [s] on.
 
     x (2,) [m] and w (2,) [m/s] are those at `begin`; `rate` (2, n) [m/s2] are the Legendre
     coefficients of w' on the step.

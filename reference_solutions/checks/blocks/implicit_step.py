@@ -1,6 +1,6 @@
 """The implicit step of DDA, step by step: the second route to its properties.
 
-The increment d of a step D solves (2/D^2) m (d - D v) = force at its end, step by step numerically.
+The increment d of a step D is the numerical solution of (2/D^2) m (d - D v) = force at its end.
 """
 
 import numpy as np
@@ -29,7 +29,7 @@ def damping_ratio(angle: float) -> float:
 
 
 def damped_drive(a: float, dt: float, steps: int, kept: float) -> float:
-    """The displacement [m] under a [m/s2], if the fraction `kept` of the velocity enters a step."""
+    """The displacement [m] under a [m/s2] if each step starts with `kept` times the velocity."""
     x = v = 0.0
     for _ in range(steps):
         x, v = one_step(x, kept * v, dt, 0.0, a)

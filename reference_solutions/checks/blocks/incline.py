@@ -5,8 +5,8 @@ quadrature over pieces of an eighth of a period. A grid in each piece brackets t
 the velocity or the margin of friction, and Brent's method finds the event. In two directions speed
 and heading are integrated by an explicit Runge-Kutta method from just after the beginning of each
 slip, where the speed is the integral of |T| - F and the heading lags behind T by the first term of
-its series. Parameters are those of
-`reference_solutions.blocks.incline`, whose code is not used here.
+its series. Parameters are those of `reference_solutions.blocks.incline`, whose code is not used
+here.
 
 A slip or rest shorter than the grid, 1/512 of a period, can be missed.
 """

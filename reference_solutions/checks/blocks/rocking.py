@@ -89,7 +89,7 @@ def stepped(
 def overturns(
     A: float, *, b: float, h: float, g: float, w: float, steps: int, patience: float = 12.0
 ) -> bool:
-    """Whether a half sine overturns the block, in steps until it overturns or returns."""
+    """Whether a half sine overturns the block before it returns to the upright position."""
     law, T = (b, h, g, A, w, pi / w), pi / w
     x, rate, now, dt = 0.0, 0.0, 0.0, pi / w / steps
     while now < patience:

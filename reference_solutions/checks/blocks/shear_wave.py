@@ -53,7 +53,7 @@ def stepped_displacement(
 
 
 def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) -> complex:
-    """The steady-state motion of a chain of linear elements, by the step equations themselves.
+    """The steady-state motion of a chain of linear elements, by the equations of the step.
 
     With u and v of all nodes as exp(i w t) and e = exp(i w dt), v (e + 1) = (2/dt)(e - 1) u, and
     (2/dt^2) M ((e - 1) u - dt v) + K e u = 0 on all nodes but the base.
