@@ -1,1 +1,1 @@
-"""References of bonded spheres."""
+"""Reference solutions for bonded spheres."""

@@ -1,6 +1,7 @@
-"""The fastest mode of equal elements on bonds with kn along and ks across, without rotation.
+"""The fastest mode of equal elements that cannot rotate, on bonds with kn along and ks across them.
 
-An explicit step is stable up to 2/w. Raises ValueError for parameters outside their ranges.
+An explicit scheme is stable for steps up to 2/w. Every function raises ValueError for parameters
+outside their ranges.
 """
 
 from math import sqrt
@@ -13,14 +14,14 @@ from reference_solutions.parameters import require_at_least_0, require_positive
 LATTICE = 8.98102
 """m w^2/kn of the fastest wave in an infinite hexagonal close packing, at ks/kn = 5/29.
 
-A block of it lacks bonds at its faces, and with fewer springs no mode is faster.
+A finite block lacks bonds at its faces, and removing springs makes no mode faster.
 """
 
 
 def fastest_mode(
     position: NDArray[np.float64], bonds: NDArray[np.int64], kn: float, ks: float, m: float
 ) -> float:
-    """The highest w [1/s] of N masses m [kg] at position (N, 3), on bonds (B, 2); linear."""
+    """The highest w [1/s] of masses m [kg] at positions (N, 3) on bonds (B, 2), to first order."""
     require_positive("N/m", kn=kn)
     require_at_least_0("N/m", ks=ks)
     require_positive("kg", m=m)

@@ -1,15 +1,16 @@
 """Blocks of close-packed bonded elements between smooth platens, solved statically (Liu 2017).
 
-Layers of elements of diameter d [m] follow each other along z as ABAB: hexagonal close packing. An
-A layer has 2p + 1 rows along x of n, n - 1, ..., n elements, a B layer 2p rows; there are 2q + 1
+Layers of elements of diameter d [m] are stacked along z as ABAB, which is hexagonal close packing.
+An A layer has 2p + 1 rows along x of n, n - 1, ..., n elements, a B layer 2p rows; there are 2q + 1
 layers, the first and the last of kind A, and N = (q + 1)((p + 1) n + p (n - 1)) + q p (2n - 1).
-Touching elements are bonded by springs kn, ks [N/m], and do not turn.
+Touching elements are bonded by springs kn, ks [N/m] and do not rotate.
 
 The platens prescribe z of the first and last layers and nothing else. To first order in the strain
-the block is a linear system; its only motions without force are shifts along the platens, which a
-descent along conjugate gradients from a state without them never enters. Stress is on the area of
-the hull of the centres, (n - 1) d x p sqrt3 d. The modulus depends on that choice: an infinite
-lattice has that of Eq. 6 exactly, a finite one lacks bonds at its faces and has area in excess.
+the block is a linear system. Its only displacements without force are translations along the
+platens, which conjugate gradients do not add to an initial state without them. Stress refers to the
+area of the hull of the centres, (n - 1) d x p sqrt3 d. The modulus depends on that choice: an
+infinite lattice has that of Eq. 6 exactly, a finite one lacks bonds at its faces and has excess
+area.
 """
 
 from math import sqrt
@@ -36,13 +37,13 @@ SIZES = {
 }
 """N: (n, p, q) of the blocks of the paper (section 5.1)."""
 
-RESIDUAL = 1e-12  # of the initial forces; E and nu are then accurate to 1e-11
+RESIDUAL = 1e-12  # over the initial forces; E and nu are then accurate to 1e-11
 
 
 class Lattice(NamedTuple):
     """A block: centres (N, 3) [m] and bonded pairs (B, 2); area [m2] and height [m] of its hull.
 
-    rough [m]: how far the elements of a face lie behind the foremost, where faces are no layers.
+    rough [m]: the depth within which elements belong to a face, where faces are not layers.
     """
 
     position: Array
@@ -52,7 +53,7 @@ class Lattice(NamedTuple):
     rough: float = 0.0
 
     def at(self, axis: int, side: int) -> NDArray[np.bool_]:
-        """(N,) which elements are the extreme ones along an axis; side 0 is the low one, or 1."""
+        """Whether each element (N,) lies on the lower (side 0) or upper (1) face of an axis."""
         x = self.position[:, axis]
         edge = x.max() if side else x.min()
         extreme: NDArray[np.bool_] = np.abs(x - edge) < self.rough + 1e-6 * self.height
@@ -60,7 +61,7 @@ class Lattice(NamedTuple):
 
 
 class Static(NamedTuple):
-    """E [Pa], nu and its parts from the widths along x and y, u (N, 3) [m] at the strain 1."""
+    """E [Pa], nu with its values along x and y, and displacements u (N, 3) [m] at the strain 1."""
 
     E: float
     nu: float
@@ -92,11 +93,11 @@ def lattice(n: int, p: int, q: int, d: float) -> Lattice:
 
 
 def cut(sides: tuple[float, float, float], angle: float, d: float) -> Lattice:
-    """A box of sides [m] out of the crystal, whose axis c leans by an angle [rad] from z towards x.
+    """A box of sides [m] cut from a crystal whose c axis is inclined from z to x by an angle [rad].
 
-    Elements whose centres lie within; those within half a diameter of the foremost are a face.
-    Stress is on the hull of the centres as seen along z. Raises ValueError for sides of less than
-    four diameters.
+    The block consists of the elements whose centres lie in the box; those within half a diameter
+    of the outermost form a face. Stress refers to the hull of the centres projected along z. Raises
+    ValueError for sides of less than four diameters.
     """
     if not min(sides) >= 4.0 * d > 0.0:
         raise ValueError(f"sides = {sides} m, d = {d} m; sides must be at least 4 d, d above 0")
@@ -108,12 +109,12 @@ def cut(sides: tuple[float, float, float], angle: float, d: float) -> Lattice:
     x = x[(np.abs(x) <= half * (1.0 + 1e-9)).all(axis=1)]
     x = x[np.lexsort(np.round(x / d, 6).T)]
     x -= [0.0, 0.0, x[:, 2].min()]
-    area = float(ConvexHull(x[:, :2]).volume)  # in the plane
+    area = float(ConvexHull(x[:, :2]).volume)  # the "volume" of a plane hull is its area
     return Lattice(x, _near(x, d), area, float(np.ptp(x[:, 2])), d / 2.0)
 
 
 def _crystal(reach: float) -> Array:
-    """The centres (n, 3) [diameters] of the lattice around one of them, at least so far out."""
+    """All centres (n, 3) [diameters] within `reach` of one of them, and some farther ones."""
     many = np.arange(-int(1.2 * reach) - 2, int(1.2 * reach) + 3)
     i, row, layer = (axis.ravel() for axis in np.meshgrid(many, many, many, indexing="ij"))
     kind = layer % 2
@@ -122,10 +123,10 @@ def _crystal(reach: float) -> Array:
 
 
 def static(block: Lattice, kn: float, ks: float) -> Static:
-    """The linear answer of a block to an axial strain between smooth platens.
+    """The linear response of a block to an axial strain between smooth platens.
 
-    nu is the mean of nu_x and nu_y: the difference of the mean displacements of the extreme rows
-    over their distance, over the strain, negated.
+    nu is the mean of nu_x and nu_y. Each is the negative lateral strain over the axial strain, the
+    lateral strain being that between the mean displacements of the outermost rows.
     """
     require_springs(kn, ks, 1.0)
     matrix = _stiffness(block, kn, ks)
@@ -139,7 +140,7 @@ def static(block: Lattice, kn: float, ks: float) -> Static:
 
 
 def _layer(n: int, p: int, kind: int) -> Array:
-    """(x, y) of a layer in diameters; rows of kind B lie over the gaps between those of A."""
+    """(x, y) [diameters] of a layer; rows of kind B lie above the gaps between rows of kind A."""
     rows = []
     for row in range(2 * p + 1 - kind):
         short = (row + kind) % 2
@@ -150,9 +151,10 @@ def _layer(n: int, p: int, kind: int) -> Array:
 
 
 def _touching(position: Array, layer: Pairs, d: float) -> Pairs:
-    """(B, 2) the pairs at the distance d, the lower number first, in order.
+    """The pairs (B, 2) of elements at the distance d, sorted, the lower number first.
 
-    layer: (N,) of each element, in order; what it touches lies there or in the next one.
+    layer: (N,) the layer of each element, ascending. Only elements of the same layer or of
+    successive layers touch.
     """
     found = []
     for k in range(layer[-1] + 1):
@@ -165,7 +167,7 @@ def _touching(position: Array, layer: Pairs, d: float) -> Pairs:
 
 
 def _near(position: Array, d: float) -> Pairs:
-    """(B, 2) the pairs at the distance d, the lower number first, in order."""
+    """The pairs (B, 2) of elements at the distance d, sorted, the lower number first."""
     from scipy.spatial import cKDTree
 
     pairs = cKDTree(position).query_pairs(1.1 * d, output_type="ndarray")
@@ -173,7 +175,7 @@ def _near(position: Array, d: float) -> Pairs:
 
 
 def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped-def]  # scipy's
-    """The sparse (3N, 3N) matrix of the bonds: kn along each and ks across it."""
+    """The sparse stiffness matrix (3N, 3N) of the bonds: kn along each and ks across it."""
     from scipy.sparse import bsr_array, csr_array
 
     i, j = block.bonds.T
@@ -191,7 +193,7 @@ def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped
 
 
 def relaxed(matrix, start: Array, free: NDArray[np.bool_]) -> Array:  # type: ignore[no-untyped-def]
-    """Displacements in balance on the free coordinates, `start` on the others."""
+    """Displacements: in equilibrium at the free coordinates, those of `start` at the others."""
     from scipy.sparse import diags_array
     from scipy.sparse.linalg import cg
 

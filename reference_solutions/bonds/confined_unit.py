@@ -1,19 +1,20 @@
 """The unit of four bonded elements under axial pressure, held together by dead loads (Liu 2017).
 
-As in `tetrahedral_unit`, with an inward load Fx [N] on each of the three base elements: bonds are
-springs kn, ks [N/m] of length d [m], and an inclined bond of length L makes the angle a with the
-axis, sin a0 = 1/sqrt3. With lengths in d, forces in kn d, g = ks/kn and f = Fx/(kn d), a base
-element is in balance if
+The unit is that of `tetrahedral_unit` with an inward load Fx [N] on each of the three base
+elements: bonds are springs kn, ks [N/m] of length d [m], and an inclined bond of length L makes the
+angle a with the axis, sin a0 = 1/sqrt3. With lengths in d, forces in kn d, g = ks/kn and
+f = Fx/(kn d), a base element is in equilibrium if
 
 (L - 1) sin a - g S cos a + sqrt3 (sqrt3 L sin a - 1) + f = 0
 
-and without the third term once the base has opened; the shear spring turns with its bond, S' = -L.
-So S sin^q a is an integral of sines: q = g/4 until the base opens (X_n2 = xb), and q = g from there
-until inclined bonds slide (Eq. 1). Twice, when the loads set in and when the base opens, it finds
-its equilibrium at a fixed height z, where L = z/cos a and S = -z asinh(tan a) + c.
+and without the third term after the base has opened. The shear spring rotates with its bond,
+S' = -L, so that S sin^q a is an integral of sines: q = g/4 until the base opens (X_n2 = xb), and
+q = g from there until inclined bonds slide (Eq. 1). Twice, when the loads are applied and when the
+base opens, the unit moves to its new equilibrium at a fixed height z, where L = z/cos a and
+S = -z asinh(tan a) + c.
 
-The loads are the horizontal stress (sqrt6/2) Fx/d^2, by a section and by the virial: half of what
-Eq. 11a has. Every function raises ValueError outside its range.
+The loads correspond to the horizontal stress (sqrt6/2) Fx/d^2, both on a section and by the virial,
+which is half of Eq. 11a. Every function raises ValueError outside its range.
 """
 
 from collections.abc import Callable
@@ -26,16 +27,16 @@ from reference_solutions.bonds.lattice_material import Element, sliding_strength
 from reference_solutions.parameters import require_at_least_0, require_positive
 
 A0 = asin(1.0 / sqrt(3.0))
-LARGEST = 0.04  # of an angle [rad]: how far bonds of quartzite turn before they slide
+LARGEST = 0.04  # largest rotation [rad] of a bond; those of quartzite slide at smaller ones
 _X, _W = np.polynomial.legendre.leggauss(12)  # exact to rounding on such arcs
 
 
 class Failure(NamedTuple):
-    """Where inclined bonds slide: pressure [Pa] on the original area, axial strain.
+    """The pressure [Pa] on the original area and the axial strain at which inclined bonds slide.
 
     opened, held: the strain and the pressure [Pa] at which the base opened before that. spare: the
-    part of the inclined bonds' strength that is left when the undamped unit overshoots its new
-    equilibrium by as much as it was away from it.
+    fraction of the strength of inclined bonds that remains when the undamped unit, after the base
+    opened, overshoots its new equilibrium by its initial distance from it.
     """
 
     pressure: float
@@ -46,7 +47,7 @@ class Failure(NamedTuple):
 
 
 def horizontal_stress(fx: float, d: float) -> float:
-    """The stress that inward loads fx [N] on the base represent [Pa]: half of Eq. 11a."""
+    """The horizontal stress [Pa] of inward loads fx [N] on the base, which is half of Eq. 11a."""
     require_at_least_0("N", fx=fx)
     require_positive("m", d=d)
     return sqrt(6.0) / 2.0 * fx / (d * d)
@@ -88,26 +89,26 @@ def sliding_failure(element: Element, d: float, fx: float) -> Failure:
 
 
 class _Unit(NamedTuple):
-    """g and f of a unit; its paths give (L, S) at an angle a, from a begin (a, S)."""
+    """The parameters g and f of a unit; its paths give (L, S) at an angle a from a start (a, S)."""
 
     g: float
     f: float
 
     def bonded(self, a: float, begin: float, shear: float) -> tuple[float, float]:
-        """With the bonds of the base."""
+        """The path (L, S) with the bonds of the base."""
         q, pull = self.g / 4.0, sqrt(3.0) - self.f
         summed = _integral(lambda s: s**q + pull * s ** (q - 1.0), begin, a)
         now = (shear * sin(begin) ** q - summed / 4.0) / sin(a) ** q
         return (sin(a) + pull + self.g * now * cos(a)) / (4.0 * sin(a)), now
 
     def open(self, a: float, begin: float, shear: float) -> tuple[float, float]:
-        """Without the bonds of the base."""
+        """The path (L, S) without the bonds of the base."""
         summed = _integral(lambda s: s**self.g - self.f * s ** (self.g - 1.0), begin, a)
         now = (shear * sin(begin) ** self.g - summed) / sin(a) ** self.g
         return 1.0 + (self.g * now * cos(a) - self.f) / sin(a), now
 
     def widened(self, begin: float, z: float, shear: float, bonds: float) -> tuple[float, float]:
-        """(a, S) of the balance at the height z, whose base has `bonds` sqrt3 (whole) or 0."""
+        """(a, S) in equilibrium at the height z; `bonds` is sqrt3 if the base is bonded, else 0."""
 
         def now(a: float) -> float:
             return shear - z * (asinh(tan(a)) - asinh(tan(begin)))
@@ -132,13 +133,13 @@ def _whole(rests: tuple[float, float], z: float) -> tuple[float, float, float]:
 
 
 def _integral(f: Callable[..., object], begin: float, end: float) -> float:
-    """Of a function of sin a."""
+    """The integral over the angle a of a function of sin a."""
     sines = np.sin(begin + (end - begin) * (_X + 1.0) / 2.0)
     return float((end - begin) / 2.0 * (_W @ np.asarray(f(sines))))
 
 
 def _root(f: Callable[[float], float], guess: float, reach: float) -> float:
-    """A root of a smooth function within `reach` of a guess, by secants to rounding."""
+    """A root of a smooth function within `reach` of a guess, to rounding by the secant method."""
     x, y = guess - 1e-4, guess
     fx, fy = f(x), f(y)
     for _ in range(60):

@@ -1,12 +1,13 @@
 """Modulus and strength of the infinite hexagonal close-packed lattice along any direction.
 
-Two elements of diameter d repeat; each has twelve bonds kn, ks [N/m] to first order in the strain,
-no element turns. A uniform strain e moves a bond r by e r, and by the shift of the second kind of
-elements against the first where it joins the two: the shift takes the least energy. What that
-leaves is a stiffness C, which need not be that of an ordinary solid: shear springs that hold
-elements from turning resist a rigid rotation. So stress is that under a symmetric strain.
+The cell has two elements of diameter d, which do not rotate; each has twelve bonds kn, ks [N/m].
+The theory is of first order in the strain. A uniform strain e changes a bond r by e r. A bond
+between the two kinds of elements changes also by their relative displacement, the shift, which
+minimises the energy. The resulting stiffness C need not be that of an ordinary solid: shear springs
+between elements that cannot rotate resist a rigid rotation of the lattice. Stress is therefore
+that under a symmetric strain.
 
-The unit's own axis is z, with the modulus of Eq. 6 of Liu et al. (2017).
+The axis of the unit is z, with the modulus of Eq. 6 of Liu et al. (2017).
 """
 
 from math import sqrt
@@ -23,7 +24,7 @@ PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 
 
 def compliance(kn: float, ks: float, d: float) -> Array:
-    """S (6, 6) [1/Pa] for strains e_xx, e_yy, e_zz, 2 e_yz, 2 e_xz, 2 e_xy."""
+    """The compliance (6, 6) [1/Pa] for strains e_xx, e_yy, e_zz, 2 e_yz, 2 e_xz, 2 e_xy."""
     energy = _energy(kn, ks, d)
     bound, mixed, own = energy[:6, :6], energy[:6, 6:], energy[6:, 6:]
     stiff = (bound - mixed @ np.linalg.solve(own, mixed.T)) / (PAIR * d**3)
@@ -31,13 +32,13 @@ def compliance(kn: float, ks: float, d: float) -> Array:
 
 
 def modulus(direction: ArrayLike, *, kn: float, ks: float, d: float) -> float:
-    """E [Pa] along a direction (3,) of any length, as of a bar cut along it."""
+    """Young's modulus [Pa] of a bar that is cut along a direction (3,), a vector of any length."""
     stress = _pull(direction)
     return float(1.0 / (stress @ compliance(kn, ks, d) @ stress))
 
 
 def opening(direction: ArrayLike, *, kn: float, ks: float, xb: float, d: float) -> float:
-    """The tension [Pa] along a direction (3,) at which the first bond is longer by xb [m]."""
+    """The tension [Pa] along a direction (3,) at which a bond is first stretched by xb [m]."""
     require_positive("m", xb=xb)
     load = PAIR * d**3 * np.concatenate([_pull(direction), np.zeros(3)])
     answer = np.linalg.solve(_energy(kn, ks, d), load)  # six strains and the shift
@@ -45,7 +46,7 @@ def opening(direction: ArrayLike, *, kn: float, ks: float, xb: float, d: float) 
 
 
 def _pull(direction: ArrayLike) -> Array:
-    """A unit stress along a direction, in the components that belong to the six strains."""
+    """A unit stress along a direction, in the components conjugate to the six strains."""
     n = np.asarray(direction, dtype=np.float64)
     if not (np.isfinite(n).all() and n.any()):
         raise ValueError(f"direction = {n.tolist()}; it must be finite and not zero")
@@ -54,7 +55,7 @@ def _pull(direction: ArrayLike) -> Array:
 
 
 def _energy(kn: float, ks: float, d: float) -> Array:
-    """Twice the energy [J] of two elements, a form (9, 9) of six strains and the shift [m]."""
+    """Twice the energy [J] of a cell, a quadratic form (9, 9) of six strains and the shift [m]."""
     require_springs(kn, ks, d)
     found = np.zeros((9, 9))
     for r, joins in _bonds():
@@ -71,7 +72,7 @@ def _moves(r: Array, joins: float, d: float) -> Array:
 
 
 def _bonds() -> list[tuple[Array, float]]:
-    """Half of the bonds of the two elements, in diameters, and whether each joins both kinds."""
+    """Each bond of a cell once, in diameters, with 1 if it joins elements of both kinds, else 0."""
     in_plane = [np.array([np.cos(a), np.sin(a), 0.0]) for a in np.pi / 3 * np.arange(3)]
     across = [
         np.array([np.sin(a) / sqrt(3.0), np.cos(a) / sqrt(3.0), side * sqrt(2.0 / 3.0)])

@@ -1,14 +1,15 @@
-"""A close-packed block pressed slowly until its level bonds are open (Liu et al. 2017, Fig. 5).
+"""A close-packed block compressed slowly until its level bonds are open (Liu et al. 2017, Fig. 5).
 
 Between smooth rigid platens the block is a linear network (`close_packed_lattice`), whose bonds are
-removed as they open: at a strain e a bond is stretched by e times its stretch at the strain 1, and
-opens at xb. A bond that opens passes its load to its neighbours, some of which then open at the
-same strain. The stress falls at each such moment (A3 and A1 of Fig. 5), and equilibrium does not
-determine which of two overstretched bonds opens first: here it is the most stretched one, with all
-that bear as much to 2 %.
+removed as they open: at a strain e the stretch of a bond is e times that at the strain 1, and the
+bond opens at xb. A bond that opens passes its load to its neighbours, some of which then open at
+the same strain. The stress falls at each opening (A3 and A1 of Fig. 5). Equilibrium does not
+determine which of two overstretched bonds opens first; here it is the most stretched one, together
+with all bonds whose stretch is within 2 % of it.
 
-With all level bonds open every inclined bond bears the same upright force (`lattice_strength`)
-and the block follows the path of units without base bonds, to their sliding (A2).
+When all level bonds are open, every inclined bond bears the same vertical force
+(`lattice_strength`), and the block follows the path of units without base bonds until they slide
+(A2).
 """
 
 from typing import NamedTuple
@@ -20,11 +21,14 @@ from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.parameters import require_positive
 
 Array = NDArray[np.float64]
-TOGETHER = 0.02  # of the largest stretch: bonds that open at once
+TOGETHER = 0.02  # relative difference from the largest stretch up to which bonds open with it
 
 
 class History(NamedTuple):
-    """Openings in order, (k,) each: strain (pressing positive), modulus [Pa] after, open bonds."""
+    """The openings in order, (k,) each: compressive strain, modulus [Pa] and open bonds after it.
+
+    whole: the modulus [Pa] before the first opening.
+    """
 
     strain: Array
     modulus: Array
@@ -32,7 +36,7 @@ class History(NamedTuple):
     whole: float
 
     def stress(self, strain: Array) -> Array:
-        """The pressure (k,) [Pa] on the hull's area at strains (k,), pressing positive."""
+        """The pressure (k,) [Pa] on the area of the hull at compressive strains (k,)."""
         modulus = np.concatenate([[self.whole], self.modulus])
         return np.asarray(strain * modulus[np.searchsorted(self.strain, strain, "right")])
 
@@ -44,7 +48,7 @@ class History(NamedTuple):
 def pressed(block: Lattice, kn: float, ks: float, xb: float, together: float = TOGETHER) -> History:
     """All openings of a block as its strain grows from zero; raises ValueError for xb <= 0.
 
-    together: bonds that bear as much as the most stretched, but for this part, open with it.
+    together: the relative difference from the largest stretch up to which bonds open with it.
     """
     require_positive("m", xb=xb)
     strain, modulus, opened, now, bonds = [], [], [], 0.0, block.bonds

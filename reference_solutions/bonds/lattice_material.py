@@ -1,15 +1,16 @@
-"""Elastic constants and strengths of a close-packed lattice, and back (Liu et al. 2017).
+"""Conversion between bonds and material constants of a close-packed lattice (Liu et al. 2017).
 
 Identical elements of diameter d [m] are bonded to their twelve neighbours by a normal spring kn and
 a shear spring ks [N/m]. A bond opens when it is stretched by xb [m] and slides when its shear force
-passes fs0 - mu_p F_n (Eq. 1, tension positive). The material is described by Young's modulus E,
+exceeds fs0 - mu_p F_n (Eq. 1, tension positive). The material is described by Young's modulus E,
 tensile strength Tu and uniaxial compressive strength Cu [Pa], Poisson's ratio nu and the
 coefficient of internal friction mu_i.
 
-Eq. 11a is twice the horizontal stress of the lattice, which is (sqrt6/2) Fx/d^2 by a section or by
-the virial. So Eqs. 12 and 15 state half the P of a lattice with mu_p, and B5 inverts what is
-printed: `printed_internal_friction` and `internal_friction` are what was meant and what is there.
-All other equations stand as printed. Every function raises ValueError outside its range.
+Eq. 11a is twice the horizontal stress of the lattice, which is (sqrt6/2) Fx/d^2 both on a section
+and by the virial. Eqs. 12 and 15 therefore state half the P of a lattice with mu_p, and Eq. B5
+inverts the printed equations. `printed_internal_friction` is the value that the paper intends,
+`internal_friction` that of the lattice. All other equations are correct as printed. Every function
+raises ValueError outside its range.
 """
 
 from math import sqrt
@@ -43,10 +44,10 @@ QUARTZITE = Material(E=90e9, nu=0.16, Tu=25e6, Cu=252e6, mu_i=1.0)
 
 
 def element(material: Material, d: float) -> Element:
-    """The springs of elements of diameter d that make the material (Eqs. B1-B5).
+    """The properties of elements of diameter d that form the material (Eqs. B1-B5).
 
     Raises ValueError unless 0 <= nu <= 1/5 (ks would be negative, or exceed kn) and mu_i is at
-    least 0.3535534: 1/(2 sqrt2) is what Eq. 15 says of mu_p = 0.
+    least 0.3535534, since Eq. 15 gives 1/(2 sqrt2) at mu_p = 0.
     """
     E, nu, Tu, Cu, mu_i = material
     require_positive("Pa", E=E, Tu=Tu, Cu=Cu)
@@ -64,7 +65,7 @@ def element(material: Material, d: float) -> Element:
 
 
 def material(element: Element, d: float) -> Material:
-    """The material that elements of diameter d form, by the printed formulas: inverse of B1-B5."""
+    """The material of elements of diameter d by the printed formulas, the inverse of B1-B5."""
     kn, ks, xb, fs0, mu_p = element
     return Material(
         youngs_modulus(kn, ks, d),
@@ -83,28 +84,28 @@ def element_mass(rho: float, d: float) -> float:
 
 
 def youngs_modulus(kn: float, ks: float, d: float) -> float:
-    """E [Pa] along the axis of a unit (Eq. 6); in the lattice, along its c axis."""
+    """E [Pa] along the axis of a unit (Eq. 6), which is the c axis of the lattice."""
     require_springs(kn, ks, d)
     return 6.0 * sqrt(2.0) * kn * (kn + ks) / (d * (5.0 * kn + ks))
 
 
 def poissons_ratio(kn: float, ks: float) -> float:
-    """nu [-] of a strain along the same axis (Eq. 4): 1/5 without shear springs, 0 if ks = kn."""
+    """nu [-] under strain along the same axis (Eq. 4): 1/5 without shear springs, 0 if ks = kn."""
     require_springs(kn, ks, 1.0)
     return (kn - ks) / (5.0 * kn + ks)
 
 
 def tensile_strength(kn: float, ks: float, xb: float, d: float) -> float:
-    """Tu [Pa] (Eq. 7): the inclined bonds open."""
+    """The tension Tu [Pa] at which the inclined bonds open (Eq. 7)."""
     require_springs(kn, ks, d)
     require_positive("m", xb=xb)
     return 6.0 * sqrt(2.0) * kn * (kn + ks) / (3.0 * kn + ks) * xb / (d * d)
 
 
 def opening_strength(kn: float, ks: float, xb: float, d: float) -> float:
-    """C_open [Pa] (Eq. 8), counted positive: horizontal bonds open under axial pressure.
+    """The axial pressure C_open [Pa], positive, at which horizontal bonds open (Eq. 8).
 
-    Raises ValueError if ks >= kn: the unit then does not widen.
+    Raises ValueError if ks >= kn, since the unit then does not widen.
     """
     require_springs(kn, ks, d)
     require_positive("m", xb=xb)
@@ -114,7 +115,10 @@ def opening_strength(kn: float, ks: float, xb: float, d: float) -> float:
 
 
 def sliding_strength(fs0: float, mu_p: float, d: float) -> float:
-    """Cu [Pa] (Eq. 14), counted positive: the inclined bonds slide, the horizontal ones open."""
+    """The axial pressure Cu [Pa], positive, at which inclined bonds slide (Eq. 14).
+
+    The horizontal bonds are open.
+    """
     require_positive("N", fs0=fs0)
     require_positive("m", d=d)
     _require_friction(mu_p)
@@ -139,18 +143,21 @@ def require_springs(kn: float, ks: float, d: float) -> None:
 
 
 def printed_confinement(mu_p: float) -> float:
-    """P [-] as printed: the increase of the axial stress at sliding with a horizontal stress."""
+    """P [-] as printed: the increase of the axial stress at sliding per horizontal stress."""
     _require_friction(mu_p)
     return (2.0 + sqrt(2.0) * mu_p) / (1.0 - sqrt(2.0) * mu_p)
 
 
 def _internal_friction(P: float) -> float:
-    """The slope of Coulomb's criterion of which P = (sqrt(1 + mu_i^2) + mu_i)^2 (Eq. 13)."""
+    """The slope mu_i of Coulomb's criterion, from P = (sqrt(1 + mu_i^2) + mu_i)^2 (Eq. 13)."""
     return (P - 1.0) / (2.0 * sqrt(P))
 
 
 def _require_friction(mu_p: float) -> None:
-    """At mu_p = 1/sqrt2 an inclined bond locks: no axial pressure makes it slide."""
+    """Raises ValueError unless 0 <= mu_p < 1/sqrt2, where an inclined bond locks.
+
+    No axial pressure makes a locked bond slide.
+    """
     _require_within("mu_p", mu_p, 0.0, 0.7071067811865474)
 
 

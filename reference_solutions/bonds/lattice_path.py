@@ -1,10 +1,11 @@
-"""Close-packed blocks between smooth platens to finite strain; no bond breaks (Liu 2017, Fig. 4).
+"""Close-packed blocks between smooth platens at finite strain without failure (Liu 2017, Fig. 4).
 
-The strain grows in small parts. In each, elements move until all forces balance: of a bond of
-length L along n, kn (L - d) n, and the shear force S, which turns with the bond and grows by ks
-times the motion across it, taken at the middle of the part (the incremental spring of Cundall and
-Strack 1979). Equilibria are found by corrections with the stiffness at rest, each of which leaves a
-hundredth of the error at strains of a thousandth; the error of the parts is of second order.
+The strain grows in small increments. In each, elements move until all forces are in equilibrium: a
+bond of length L along n has the normal force kn (L - d) n and a shear force S. S rotates with the
+bond and grows by ks times the displacement across it, resolved at the middle of the increment (the
+incremental spring of Cundall and Strack 1979). Equilibria are found by corrections with the initial
+stiffness, each of which reduces the error to a hundredth at strains of a thousandth. The error of
+the increments is of second order.
 """
 
 import numpy as np
@@ -18,14 +19,14 @@ from reference_solutions.bonds.close_packed_lattice import (
 from reference_solutions.bonds.lattice_material import poissons_ratio, require_springs
 
 Array = NDArray[np.float64]
-LEFT = 3e-9  # of the largest force: a balance
+LEFT = 3e-9  # largest residual force in equilibrium, over the largest reaction
 
 
 def path(block: Lattice, kn: float, ks: float, strains: Array, parts: int) -> Array:
-    """Stress [Pa] on the hull's area, and the strains across along x and y: (k, 3).
+    """The stress [Pa] on the area of the hull and the lateral strains along x and y, (k, 3).
 
-    strains: (k,), of one sign, growing in size from zero, each reached in so many parts.
-    Raises ValueError for others, or if no balance is found.
+    The axial strains (k,) have one sign and grow in magnitude from zero; each is reached in `parts`
+    increments. Raises ValueError for other strains, or if no equilibrium is found.
     """
     require_springs(kn, ks, 1.0)
     size = np.abs(strains)
@@ -53,7 +54,7 @@ def _balanced(  # type: ignore[no-untyped-def]
     block: Lattice, matrix, free: NDArray[np.bool_], before: Array, x: Array, shear: Array,
     kn: float, ks: float,
 ) -> tuple[Array, Array, Array]:  # fmt: skip
-    """Positions, shear forces of bonds, and forces on the elements, after a part of the strain."""
+    """Positions, shear forces of bonds and forces on the elements after an increment of strain."""
     for _ in range(30):
         force, turned = _forces(block, before, x, shear, kn, ks)
         size = np.abs(force[~free]).max()
@@ -66,7 +67,7 @@ def _balanced(  # type: ignore[no-untyped-def]
 def _forces(
     block: Lattice, before: Array, x: Array, shear: Array, kn: float, ks: float
 ) -> tuple[Array, Array]:
-    """The force that must hold each element (N, 3) [N], and the shear force (B, 3) of each bond."""
+    """The forces (N, 3) [N] that would hold the elements, and shear forces (B, 3) [N] of bonds."""
     i, j = block.bonds.T
     old, new = before[j] - before[i], x[j] - x[i]
     length = np.linalg.norm(new, axis=1)[:, None]
@@ -74,7 +75,7 @@ def _forces(
     middle = (old + new) / np.linalg.norm(old + new, axis=1)[:, None]
     moved = new - old
     across = moved - (moved * middle).sum(axis=1)[:, None] * middle
-    axis = np.cross(was, n)  # of the turn, to first order in a part
+    axis = np.cross(was, n)  # rotation vector of the bond, to first order in an increment
     turned = shear + np.cross(axis, shear) + np.cross(axis, np.cross(axis, shear)) / 2.0
     turned = turned + ks * across
     turned = turned - (turned * n).sum(axis=1)[:, None] * n
@@ -87,7 +88,7 @@ def _forces(
 
 
 def _answer(matrix, force: Array, free: NDArray[np.bool_]) -> Array:  # type: ignore[no-untyped-def]
-    """The correction (N, 3) [m] of positions by which the forces on free elements vanish."""
+    """The correction (N, 3) [m] of positions, linear in the forces on free coordinates."""
     from scipy.sparse import diags_array
     from scipy.sparse.linalg import cg
 

@@ -1,8 +1,9 @@
 """The rates at which four bonded elements separate when inclined bonds slide under a falling top.
 
-Base elements without bonds are pushed outwards by the top. At the radius r and with the top at
-the height z, an inclined contact has length L = sqrt(r^2 + z^2), pushes with N = kn (d - L) and
-rubs with mu N against the slip, which goes outwards: m r'' = N (r - mu z)/L - eta r', z' = -|v|.
+The top pushes base elements without bonds outwards. At the radius r and the height z of the top, an
+inclined contact has the length L = sqrt(r^2 + z^2), the normal force N = kn (d - L) and the
+friction mu N against the outward slip: m r'' = N (r - mu z)/L - eta r', z' = -|v|, with the speed v
+of the top.
 """
 
 from collections.abc import Callable
@@ -12,8 +13,8 @@ from reference_solutions.bonds.lattice_material import Element
 from reference_solutions.bonds.tetrahedral_unit import A0, sliding_failure
 from reference_solutions.parameters import require_finite, require_positive
 
-FINE = 0.05  # of the shorter of the times sqrt(m/kn) and m/eta: a step of Runge and Kutta
-LONGEST = 5_000  # steps; bonds that slide for so long do not separate
+FINE = 0.05  # Runge-Kutta step, over the shorter of the times sqrt(m/kn) and m/eta
+LONGEST = 5_000  # steps of sliding after which bonds count as not separating
 
 
 def separation_rates(
@@ -22,8 +23,9 @@ def separation_rates(
     """The rates [m/s] at which surfaces open and slide as an inclined contact ends.
 
     m: mass of an element [kg]; eta: viscosity on it [N s/m]; rate: strain rate of the unit [1/s].
-    Zeros where viscosity lets the top follow, so that the contact slides on and does not end.
-    Raises ValueError outside the range of `sliding_failure`, and for a mass that is not positive.
+    Both rates are 0 where viscosity slows the base so much that the top does not separate from it
+    and the contact slides on. Raises ValueError outside the range of `sliding_failure`, and for a
+    mass that is not positive.
     """
     require_positive("kg", m=m)
     require_finite("N s/m, 1/s", eta=eta, rate=rate)
@@ -54,7 +56,7 @@ def _stepped(
     pushed: Callable[[float, float, float], float],
     r: float, v: float, z: float, fall: float, step: float,
 ) -> tuple[float, float, float]:  # fmt: skip
-    """r, v and z after a step of Runge and Kutta; pushed: r'' from r, v and z."""
+    """r, v and z after a Runge-Kutta step; pushed: r'' as a function of r, v and z."""
     half, end = z - 0.5 * step * fall, z - step * fall
     a1 = pushed(r, v, z)
     v2 = v + 0.5 * step * a1
@@ -71,11 +73,12 @@ def _stepped(
 def unexplained_energy(
     element: Element, d: float, dt: float, *, m: float, eta: float, rate: float
 ) -> float:
-    """The largest energy [J] that three contacts leave unexplained when they end within a step [s].
+    """The largest error [J] of the energy balance when three contacts end within a step dt [s].
 
-    The push kn U of the step before gives kn U v dt/2 where its spring holds kn U^2/2; U < v dt, so
-    the gain is kn (v dt)^2/8 at most. Friction mu kn U on the slip w takes mu kn U w dt/2 and what
-    its spring holds, (mu kn U)^2/(2 ks). The two have opposite signs.
+    With the overlap U of the previous step and the rates v of opening and w of slip, the normal
+    force does the work kn U v dt/2 where its spring stores kn U^2/2. As U < v dt, the gain is at
+    most kn (v dt)^2/8. The friction mu kn U causes a loss of mu kn U w dt/2 and of the energy
+    (mu kn U)^2/(2 ks) of its spring. Gain and loss have opposite signs.
     """
     kn, ks, _, _, mu = element
     opening, slip = separation_rates(element, d, m=m, eta=eta, rate=rate)

@@ -1,18 +1,19 @@
-"""Four bonded elements under an axial force: small strains, equilibrium path, strengths (Liu 2017).
+"""Equilibria and strengths of four bonded elements under an axial force (Liu 2017).
 
 Three elements stand on a smooth base, free to move in its plane; the fourth, bonded to them, is
-displaced along the axis. Elements do not turn, and shear forces act at their centres. Bonds are
-springs kn, ks [N/m] of length d [m]; tension is positive, stress is on the original area
+displaced along the axis. Elements do not rotate, and shear forces act at their centres. Bonds are
+springs kn, ks [N/m] of length d [m]; tension is positive, stress refers to the original area
 sqrt3 d^2/2 of a unit (Eq. 5), strain is dz over the original height d sqrt(2/3).
 
 At finite strain an inclined bond has length L and makes the angle a with the axis, sin a0 =
 1/sqrt3; the radius of the base is L sin a. With lengths in d, forces in kn d and g = ks/kn, a base
-element is in balance if (L - 1) sin a - g S cos a + sqrt3 (sqrt3 L sin a - 1) = 0 (Eq. A2), linear
-in L. S is the shear displacement. The spring of Cundall and Strack (1979) grows with the motion
-across the bond and turns with it, S' = -L da: with L from the balance a linear equation in a, whose
-solution is an integral of sines. Bases without bonds have no last term, and a path of their own.
-`total` is the other spring in use, S = sin(a0 - a): the whole displacement across the bond.
-Every function raises ValueError outside its range.
+element is in equilibrium if (L - 1) sin a - g S cos a + sqrt3 (sqrt3 L sin a - 1) = 0 (Eq. A2),
+which is linear in L. S is the shear displacement. In the spring of Cundall and Strack (1979) it
+grows with the displacement across the bond and rotates with the bond, dS = -L da. With L from the
+equilibrium this is a linear differential equation in a, whose solution is an integral of sines. The
+last term is absent for a base without bonds, which has its own path. `total` is the other common
+spring, S = sin(a0 - a): the total displacement across the bond. Every function raises ValueError
+outside its range.
 """
 
 from collections.abc import Callable
@@ -25,14 +26,14 @@ from reference_solutions.bonds.lattice_material import Element, require_springs,
 from reference_solutions.parameters import require_finite
 
 A0 = asin(1.0 / sqrt(3.0))
-LARGEST = 0.02  # strains and angles beyond are no quartzite
+LARGEST = 0.02  # largest strain and angle [rad]; quartzite fails at smaller ones
 _X, _W = np.polynomial.legendre.leggauss(10)  # exact to rounding on arcs of 0.05
 Spring = Callable[[float, float], float]
 
 
 class Displacements(NamedTuple):
-    """dz, X_n1, X_s1, X_n2 [m]: of the top element, of an inclined bond and across it, of a
-    horizontal bond.
+    """Displacements [m]: dz of the top element, X_n1 along and X_s1 across an inclined bond, X_n2
+    along a horizontal bond.
     """
 
     dz: float
@@ -57,12 +58,12 @@ class State(NamedTuple):
 
     @property
     def poisson(self) -> float:
-        """The secant ratio of the strains, negated."""
+        """The secant Poisson's ratio, the negative lateral strain over the axial strain."""
         return -self.lateral / self.strain
 
 
 def small_strain(fz: float, kn: float, ks: float) -> Displacements:
-    """Eqs. 2a-d: displacements [m] under a force Fz [N], to first order."""
+    """The displacements [m] under a force Fz [N] to first order (Eqs. 2a-d)."""
     require_springs(kn, ks, 1.0)
     require_finite("N", fz=fz)
     c = fz / (kn * (kn + ks))
@@ -75,21 +76,21 @@ def small_strain(fz: float, kn: float, ks: float) -> Displacements:
 
 
 def modulus_slope(gamma: float) -> float:
-    """cE of the secant E (1 + cE strain), gamma = ks/kn, with the incremental spring."""
+    """cE of the secant modulus E (1 + cE strain) with the incremental spring; gamma = ks/kn."""
     g = gamma
     return -6.0 * (g - 1.0) * (g + 3.0) / ((g + 1.0) * (g + 5.0) ** 2)
 
 
 def poisson_slope(gamma: float) -> float:
-    """c of the secant nu + c strain with the incremental spring, nu of Eq. 4."""
+    """c of the secant Poisson's ratio nu + c strain with the incremental spring, nu of Eq. 4."""
     g = gamma
     return 3.0 * (g - 4.0) * (g + 1.0) / (g + 5.0) ** 3
 
 
 def incremental(turn: float, gamma: float) -> float:
-    """S of a base that is bonded, after the angle a turned from a0: of Cundall and Strack (1979).
+    """S of Cundall and Strack (1979) with a bonded base, after a rotation of bonds by a - a0.
 
-    S' + (g/4) cot(a) S = -1/4 - (sqrt3/4)/sin a, solved by the factor sin^(g/4) a.
+    It solves S' + (g/4) cot(a) S = -1/4 - (sqrt3/4)/sin a by the integrating factor sin^(g/4) a.
     """
     q = gamma / 4.0
     sines = np.sin(A0 + turn * (_X + 1.0) / 2.0)
@@ -98,14 +99,14 @@ def incremental(turn: float, gamma: float) -> float:
 
 
 def total(turn: float, gamma: float) -> float:
-    """S of the whole displacement since the start, across the bond in its present direction."""
+    """S as the total displacement since the start, across the present direction of the bond."""
     return -sin(turn)
 
 
 def equilibrium(
     strain: float, *, kn: float, ks: float, d: float, spring: Spring = incremental
 ) -> State:
-    """The unit in equilibrium at an axial strain, reached without reversal; no bond breaks.
+    """The unit in equilibrium at an axial strain reached without reversal; no bond breaks.
 
     Raises ValueError unless 0 < |strain| <= 0.02.
     """
@@ -119,7 +120,7 @@ def equilibrium(
 def loaded(fz: float, *, kn: float, ks: float, d: float, spring: Spring = incremental) -> State:
     """The unit in equilibrium under a force Fz [N] that grew from zero; no bond breaks.
 
-    Raises ValueError unless Fz is not 0 and Eq. 2a says a strain of at most 0.01.
+    Raises ValueError if Fz is 0 or the strain by Eq. 2a exceeds 0.01.
     """
     strain = small_strain(fz, kn, ks).dz / (d * cos(A0))
     if not 0.0 < abs(strain) <= LARGEST / 2.0:
@@ -129,22 +130,25 @@ def loaded(fz: float, *, kn: float, ks: float, d: float, spring: Spring = increm
 
 
 def tension_failure(element: Element, d: float) -> State:
-    """The state at which the inclined bonds open, X_n1 = xb: its stress is Tu, against Eq. 7."""
+    """The state at which the inclined bonds open, X_n1 = xb; its stress Tu compares with Eq. 7."""
     kn, ks, xb, *_ = element
     turn = _root(lambda a: _bonded(a, kn, ks, d).x.xn1 / xb - 1.0, -xb / d)
     return _bonded(turn, kn, ks, d)
 
 
 def opening_failure(element: Element, d: float) -> State:
-    """The state at which horizontal bonds open in compression, X_n2 = xb: stress -C_open, Eq. 8."""
+    """The state in compression at which horizontal bonds open, X_n2 = xb.
+
+    Its stress -C_open compares with Eq. 8.
+    """
     return _bonded(_opening(element, d), *element[:2], d)
 
 
 def sliding_failure(element: Element, d: float) -> State:
-    """The state at which the inclined bonds slide: its stress is -Cu, against Eq. 14.
+    """The state at which the inclined bonds slide; its stress -Cu compares with Eq. 14.
 
-    The horizontal bonds open on the way, at a fixed height: the base widens to its new balance, and
-    the shear springs with it, S' = -(z/cos a) da. From there on S' + g cot(a) S = -1.
+    The horizontal bonds open first, at a fixed height z: the base widens to its new equilibrium,
+    and the shear displacements change by dS = -(z/cos a) da. From there on S' + g cot(a) S = -1.
     """
     kn, ks, _, fs0, mu_p = element
     sliding_strength(fs0, mu_p, d)
@@ -169,7 +173,7 @@ def opened(strain: float, element: Element, d: float) -> State:
 
 
 def _bonded(turn: float, kn: float, ks: float, d: float, spring: Spring = incremental) -> State:
-    """The state at which inclined bonds have turned by an angle; no term is a small difference."""
+    """The state after a rotation of inclined bonds, without differences of nearly equal numbers."""
     g, a = ks / kn, A0 + turn
     shear = spring(turn, g)
     wider = 2.0 * cos(A0 + turn / 2.0) * sin(turn / 2.0)  # sin a - sin a0
@@ -178,7 +182,7 @@ def _bonded(turn: float, kn: float, ks: float, d: float, spring: Spring = increm
 
 
 def _open(turn: float, begin: float, shear: float, kn: float, ks: float, d: float) -> State:
-    """The state without horizontal bonds, of a path from `begin` where the springs hold `shear`."""
+    """The state after a rotation without horizontal bonds, from `begin` where S was `shear`."""
     g, a = ks / kn, A0 + turn
     sines = np.sin(A0 + begin + (turn - begin) * (_X + 1.0) / 2.0)
     summed = (turn - begin) / 2.0 * float(_W @ sines**g)
@@ -204,7 +208,7 @@ def _opening(element: Element, d: float) -> float:
 
 
 def _widened(element: Element, d: float) -> tuple[float, float]:
-    """The angle of bonds by which they have turned when the open base is at rest, and their S."""
+    """The rotation of inclined bonds at which the open base is in equilibrium, and their S."""
     kn, ks, *_ = element
     begin = _opening(element, d)
     before = _bonded(begin, kn, ks, d)
@@ -223,7 +227,7 @@ def _widened(element: Element, d: float) -> tuple[float, float]:
 
 
 def _root(f: Callable[[float], float], guess: float) -> float:
-    """A root of a smooth function near `guess`, by secants until a step of 1e-11 of it."""
+    """A root of a smooth function near `guess`, to 1e-11 of it by the secant method."""
     x, y = 0.999 * guess, guess
     fx, fy = f(x), f(y)
     for _ in range(60):

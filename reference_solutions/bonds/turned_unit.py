@@ -1,9 +1,10 @@
-"""The unit in rotation as a whole, at any angle: its path by small steps of high order.
+"""The path of a unit that rotates as a whole by any angle, integrated by a scheme of high order.
 
-Four elements, which cannot rotate, are bonded in pairs over d; bond b pulls with kn (L - d) along
-its unit vector n, and its shear spring bears F, F' = ks v - n (F . n'), v the relative velocity
-across n (Cundall and Strack 1979): it grows with that and turns with the bond. For small angles a
-the energy is 2 ks d^2 a^2 and the unit swings at 2 sqrt(ks/m); beyond, the turn stretches it too.
+Four elements, which cannot rotate, are bonded in pairs at the distance d. A bond b pulls with
+kn (L - d) along its unit vector n. Its shear spring has the force F with F' = ks v - n (F . n') and
+the relative velocity v across n (Cundall and Strack 1979): F grows at the rate ks v and rotates
+with the bond. For small angles a the energy is 2 ks d^2 a^2 and the unit oscillates at
+2 sqrt(ks/m); at larger angles the rotation stretches the unit too.
 """
 
 from collections.abc import Callable
@@ -19,14 +20,14 @@ ROUNDED = 1e-12
 def path(
     position: Array, pairs: NDArray[np.intp], velocity: Array, *, m: float, kn: float, ks: float
 ) -> Path:
-    """Displacements (k, 4, 3) [m] at times (k,) [s], of elements that start with `velocity`.
+    """Displacements (k, 4, 3) [m] at times (k,) [s] of elements that start with `velocity`.
 
-    position, velocity: (4, 3) [m], [m/s]; pairs: (6, 2) elements; bonds start slack.
+    position, velocity: (4, 3) [m], [m/s]; pairs: (6, 2) elements. Bonds are free of force at t = 0.
     """
     i, j = pairs.T
     length = np.linalg.norm(position[j] - position[i], axis=1)
     rate = np.sqrt(kn / m)
-    size = np.abs(velocity).max() / rate  # of all displacements, by which the equations are scaled
+    size = np.abs(velocity).max() / rate  # scale of displacements in the equations
 
     def change(_: float, state: Array) -> Array:
         u, v = state[:12].reshape(4, 3), state[12:24].reshape(4, 3)
@@ -60,7 +61,7 @@ def path(
 def _integrated(
     change: Callable[[float, Array], Array], t: Array, start: Array, rounded: Array
 ) -> Array:
-    """The states (n, k) at times (k,) [s]; rounded: the error allowed of each component."""
+    """The states (n, k) at times (k,) [s]; rounded: the absolute tolerance of each component."""
     from scipy.integrate import solve_ivp
 
     solved = solve_ivp(
@@ -70,11 +71,11 @@ def _integrated(
 
 
 def _along(vectors: Array, n: Array) -> Array:
-    """The parts of vectors (b, 3) along unit vectors n (b, 3)."""
+    """The components, as vectors (b, 3), of `vectors` (b, 3) along unit vectors n (b, 3)."""
     return np.asarray(np.einsum("bk,bk->b", vectors, n)[:, None] * n)
 
 
 def _longer(offset: Array, moved: Array, length: Array) -> Array:
-    """|offset + moved| minus |offset|, without the loss of digits of a difference."""
+    """|offset + moved| - |offset|, evaluated without cancellation of digits."""
     now = np.linalg.norm(offset + moved, axis=1)
     return np.asarray(np.einsum("bk,bk->b", 2 * offset + moved, moved) / (now + length))

@@ -1,10 +1,11 @@
 """Blocks of close-packed elements that may rotate, between smooth platens, solved statically.
 
-As `close_packed_lattice`, but that a shear spring joins the points of two elements that touched, as
-in Cundall and Strack (1979): an element that turns by w carries its point d/2 n off with it, and
-the spring holds the slip u_j - u_i - (d/2) (w_i + w_j) x n. Liu et al. (2017) leave rotation out.
-Rotation unloads the shear springs, most of all at the faces of a block. In a single unit on its
-base they bear nothing: its E and nu are those of Eqs. 4 and 6 without shear springs.
+The blocks are those of `close_packed_lattice`, but each shear spring joins the points of two
+elements that touched, as in Cundall and Strack (1979). An element that rotates by w takes its point
+at (d/2) n with it, and the spring resists the slip u_j - u_i - (d/2) (w_i + w_j) x n. Liu et al.
+(2017) omit rotation. Rotation unloads the shear springs, most of all at the faces of a block. In a
+single unit on its base they are free of force: its E and nu are those of Eqs. 4 and 6 without shear
+springs.
 """
 
 import numpy as np
@@ -18,9 +19,9 @@ Array = NDArray[np.float64]
 
 
 def static(block: Lattice, kn: float, ks: float) -> Static:
-    """The linear answer of a block to an axial strain, all elements free to rotate.
+    """The linear response of a block to an axial strain with all elements free to rotate.
 
-    Raises ValueError unless ks > 0: nothing else holds what turns.
+    Raises ValueError unless ks > 0, since only shear springs resist rotation.
     """
     require_springs(kn, ks, 1.0)
     require_positive("N/m", ks=ks)
@@ -38,7 +39,7 @@ def static(block: Lattice, kn: float, ks: float) -> Static:
 
 
 def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped-def]  # scipy's
-    """The sparse (6N, 6N) matrix on all displacements, then all rotations."""
+    """The sparse stiffness matrix (6N, 6N) for all displacements, then all rotations."""
     from scipy.sparse import csr_array
 
     i, j = block.bonds.T
@@ -46,7 +47,7 @@ def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped
     offset = block.position[j] - block.position[i]
     d = np.linalg.norm(offset, axis=1)[:, None, None]
     n = offset / d[:, :, 0]
-    lever = np.cross(n[:, None, :], np.eye(3)).swapaxes(1, 2) * d / 2.0  # on w: (d/2) n x w
+    lever = np.cross(n[:, None, :], np.eye(3)).swapaxes(1, 2) * d / 2.0  # times w: (d/2) n x w
     one = np.broadcast_to(np.eye(3), (B, 3, 3))
     parts = np.stack([-one, one, lever, lever], axis=2)  # (B, 3, 4, 3)
     ends = np.stack([i, j, N + i, N + j], axis=1)

@@ -1,8 +1,9 @@
-"""How slowly four bonded elements that may rotate come to rest with viscosity on centres only.
+"""The time to rest of four bonded elements that may rotate, with viscosity on their centres only.
 
-Equal elements of mass m and inertia 2/5 m r^2 on bonds of length d = 2 r, kn along and ks across: a
-spring holds the slip u_j - u_i - (d/2) (w_i + w_j) x n. Three stand on a smooth plane. Rotation is
-damped only as far as it moves the centres, which is less the smaller ks is.
+Equal elements of mass m and inertia 2/5 m r^2 are joined by bonds of length d = 2 r with kn along
+and ks across them; a shear spring resists the slip u_j - u_i - (d/2) (w_i + w_j) x n. Three
+elements stand on a smooth plane. Rotation is damped only as far as it moves the centres, which is
+less the smaller ks is.
 """
 
 import numpy as np
@@ -12,7 +13,7 @@ from reference_solutions.bonds.lattice_material import require_springs
 from reference_solutions.parameters import require_positive
 
 Array = NDArray[np.float64]
-STILL = 1e-9  # of the fastest: smaller rates count as zero, of modes without stiffness
+STILL = 1e-9  # decay rates smaller than this, over the fastest rate, are of modes without stiffness
 
 
 # The case passes its parameters by name, one for one.
@@ -22,9 +23,10 @@ def time_to_rest(
 ) -> float:  # fmt: skip
     """The time [s] after which the unit under a sudden load is at rest to a given accuracy.
 
-    corners (4, 3) in diameters, edges (6, 2), free (4, 3): which centres may move along which axes;
-    load (4, 3). The least time after which no mode moves a centre by more than that part of the
-    largest displacement. Raises ValueError for springs, sizes or viscosities out of range.
+    It is the least time after which no mode moves a centre by more than `part` of the largest
+    displacement. corners (4, 3) in diameters; edges (6, 2); free (4, 3): whether each centre may
+    move along each axis; load (4, 3). Raises ValueError for springs, sizes or viscosities out
+    of range.
     """
     require_springs(kn, ks, d)
     require_positive("in SI units", m=m, eta=eta, part=part)
@@ -47,12 +49,12 @@ def time_to_rest(
 
 
 def _stiffness(corners: Array, edges: NDArray[np.int64], kn: float, ks: float, d: float) -> Array:
-    """The matrix (24, 24) on all displacements, then all rotations."""
+    """The stiffness matrix (24, 24) for all displacements, then all rotations."""
     whole = np.zeros((24, 24))
     for i, j in edges:
         n = corners[j] - corners[i]
         x, y, z = 0.5 * d * n
-        lever = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])  # on w: (d/2) n x w
+        lever = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])  # times w: (d/2) n x w
         slip = np.zeros((3, 24))
         slip[:, 3 * i : 3 * i + 3], slip[:, 3 * j : 3 * j + 3] = -np.eye(3), np.eye(3)
         slip[:, 12 + 3 * i : 15 + 3 * i] = slip[:, 12 + 3 * j : 15 + 3 * j] = lever

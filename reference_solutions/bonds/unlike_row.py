@@ -1,8 +1,8 @@
-"""Unlike spheres in a row on unlike bonds: exact along the row, to first order across it.
+"""Motion of unlike spheres in a row on unlike bonds, exact along it and of first order across it.
 
-N spheres of masses m [kg] at places x [m] on a line, on bonds (B, 2) between spheres i and j; a
-bond has the stiffnesses kn along and ks across [N/m]. Every function raises ValueError for
-parameters outside their ranges.
+N spheres of masses m [kg] at positions x [m] on a line are joined by bonds (B, 2) between spheres i
+and j; a bond has the stiffness kn along it and ks across it [N/m]. Every function raises ValueError
+for parameters outside their ranges.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Pairs = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Row:
-    """Masses (N,) [kg], places along the line (N,) [m], and its bonds: (B, 2), kn (B,) [N/m]."""
+    """Masses (N,) [kg], positions along the line (N,) [m], and bonds: (B, 2), kn (B,) [N/m]."""
 
     m: Array
     x: Array
@@ -36,7 +36,7 @@ def along(
     """Displacements (k, N) [m] at times t (k,) [s], and the reaction (k,) [N] of the first sphere.
 
     length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0; g [m/s2] along the row.
-    held: whether the first sphere stays. The reaction keeps it against its weight and its bonds.
+    held: whether the first sphere is fixed; the reaction then balances its weight and its bonds.
     """
     times, (stiffness, pulled) = require_times(t), _springs(row, length)
     push = row.m * g + pulled
@@ -53,8 +53,9 @@ def along(
 def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
     """Displacements (k, N) [m] at times t (k,) [s] with a drag -eta v [N s/m] on every sphere.
 
-    length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0. Drag is the same for all and
-    masses are not, so that modes couple: x' = A x for positions, velocities and 1.
+    length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0. The drag is the same for all
+    spheres and their masses differ, so that it couples the modes; the solution is that of y' = A y
+    for the vector y of displacements, velocities and the number 1.
     """
     from scipy.linalg import expm
 
@@ -70,9 +71,9 @@ def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
 
 
 def _springs(row: Row, length: Array) -> tuple[Array, Array]:
-    """Stiffness (N, N) [N/m] along the row, and the forces (N,) [N] of its bonds at t = 0."""
+    """The stiffness (N, N) [N/m] along the row, and the forces (N,) [N] of bonds at t = 0."""
     i, j = row.bonds.T
-    pull = np.zeros((len(row.kn), len(row.m)))  # of the second end away from the first
+    pull = np.zeros((len(row.kn), len(row.m)))  # elongation of each bond by displacements
     pull[np.arange(len(i)), i] -= np.sign(row.x[j] - row.x[i])
     pull[np.arange(len(i)), j] += np.sign(row.x[j] - row.x[i])
     first = row.kn * (np.abs(row.x[j] - row.x[i]) - length)
@@ -80,7 +81,7 @@ def _springs(row: Row, length: Array) -> tuple[Array, Array]:
 
 
 def _mode(t: Array, square: float, speed: float, load: float) -> Array:
-    """q'' + square q = load, from rest at zero with a speed; a mode without stiffness drifts."""
+    """q of q'' + square q = load with q = 0, q' = speed at t = 0; without stiffness it drifts."""
     if square < 1e-9 * max(1.0, abs(square)):
         return np.asarray(speed * t + 0.5 * load * t**2)
     w = np.sqrt(square)
@@ -91,15 +92,16 @@ def across(t: Array, row: Row, *, r: Array, ks: Array, spin: Array, v: Array) ->
     """Displacements (k, N, 2) [m] across the row, to first order, of spheres that spin about it.
 
     r: radii (N,) [m]; ks: (B,) [N/m]; spin: (N,) [1/s] about the line; v: (N, 2) [m/s] at t = 0.
-    Bonds are not stretched at t = 0, and inertias are 2/5 m r2. With z = y + i z' across x, the
-    surfaces of a bond of length L meet at arms a from the centres, p the spins across:
+    Bonds are unstretched at t = 0, and inertias are 2/5 m r2. Displacements across x are complex,
+    z = u_y + i u_z, as are the spins p across x; W are the spins about x. The surfaces of a bond of
+    length L with the shear s meet at distances a from the centres:
     s' = d' - i (a1 W1 + a2 W2) d/L + i (a1 p1 + a2 p2) + i (W1 + W2)/2 s, d = z2 - z1,
     m z'' = +- ks s, 2/5 m r2 p' = i a ks s.
     """
     from scipy.linalg import expm
 
     times, n, b = require_times(t), len(row.m), len(row.bonds)
-    rate = np.zeros((3 * n + b, 3 * n + b), complex)  # of z, z', p and s
+    rate = np.zeros((3 * n + b, 3 * n + b), complex)  # of z, z', p and s in turn
     places, speeds, spins = (np.arange(k * n, (k + 1) * n) for k in range(3))
     rate[places, speeds] = 1.0
     inertia = 0.4 * row.m * r**2

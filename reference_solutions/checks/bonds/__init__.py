@@ -1,1 +1,1 @@
-"""Second routes to the references of bonded spheres."""
+"""Second routes to the reference solutions for bonded spheres."""

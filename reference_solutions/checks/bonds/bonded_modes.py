@@ -1,6 +1,6 @@
-"""The fastest mode of bonded elements by power iteration: the second route.
+"""Second route to the fastest mode of bonded elements, by power iteration.
 
-That of an infinite lattice comes from plane waves.
+The fastest mode of an infinite lattice is found among its plane waves.
 """
 
 import numpy as np
@@ -36,7 +36,7 @@ TURNS = 2 * np.pi * np.linalg.inv(CELL).T
 
 
 def fastest_wave(gamma: float) -> float:
-    """max m w^2/kn over the plane waves of an infinite hexagonal close packing; gamma = ks/kn."""
+    """The largest m w^2/kn of plane waves in infinite hexagonal close packing; gamma = ks/kn."""
     best = max((np.array(k) / 8 for k in np.ndindex(9, 9, 5)), key=lambda k: square(k, gamma))
     size = 1 / 8
     for _ in range(40):
@@ -47,7 +47,7 @@ def fastest_wave(gamma: float) -> float:
 
 
 def square(wave: Array, gamma: float) -> float:
-    """m w^2/kn of the fastest of the six waves of a wave vector, in turns a cell."""
+    """m w^2/kn of the fastest of the six waves with the wave vector `wave` [periods per cell]."""
     matrix = np.zeros((2, 3, 2, 3), complex)
     for s, t, reach in _contacts():
         spring = (1.0 - gamma) * np.outer(reach, reach) + gamma * np.eye(3)
@@ -57,7 +57,7 @@ def square(wave: Array, gamma: float) -> float:
 
 
 def _contacts() -> list[tuple[int, int, Array]]:
-    """The twelve neighbours of each of the two elements of a cell: from, to, and how they lie."""
+    """The twelve contacts of each element of a cell: element, neighbour, vector between them."""
     return [
         (s, t, reach)
         for s in range(2)

@@ -1,9 +1,9 @@
-"""Second routes to close-packed lattices: cut from the crystal, and solved dense and as a cell.
+"""Second routes to close-packed lattices, for small blocks cut from the crystal and for a cell.
 
-Centres are the points of two hexagonal Bravais lattices inside a box. The static answer of a small
-block is the least squares of all the elongations and slips of its bonds, without a stiffness
-matrix. That of the infinite lattice is the energy of a cell of two elements as a function of the
-displacement gradient, least over the displacement of one against the other.
+Centres are the points of two hexagonal Bravais lattices inside a box. The static response of a
+small block minimises the sum of squares of all elongations and slips of its bonds, without a
+stiffness matrix. That of the infinite lattice follows from the energy of a cell of two elements as
+a function of the displacement gradient, minimised over the relative displacement of the elements.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ SECOND = (A1 + A2) / 3.0 + C / 2.0
 
 
 def centres(n: int, p: int, q: int) -> Array:
-    """(N, 3) all crystal points in the box of n - 1, p sqrt3, 2q sqrt(2/3) diameters."""
+    """All points (N, 3) of the crystal in the box of n - 1, p sqrt3, 2q sqrt(2/3) diameters."""
     reach = range(-n - 2 * p - 2, n + 2 * p + 3)
     points = [
         i * A1 + j * A2 + k * C + basis
@@ -33,7 +33,7 @@ def centres(n: int, p: int, q: int) -> Array:
 
 
 def static(n: int, p: int, q: int, gamma: float) -> tuple[float, float, float]:
-    """E d/kn on the hull's area, nu_x and nu_y of a block between smooth platens."""
+    """E d/kn on the area of the hull, nu_x and nu_y of a block between smooth platens."""
     x = centres(n, p, q)
     rows = _slips(x, gamma).reshape(-1, x.size)
     top = x[:, 2] > x[:, 2].max() - 1e-9
@@ -48,7 +48,7 @@ def static(n: int, p: int, q: int, gamma: float) -> tuple[float, float, float]:
 
 
 def compliance(gamma: float) -> Array:
-    """(9, 9) from stress to displacement gradient of the infinite lattice, in d/kn."""
+    """The compliance (9, 9) [d/kn] of the infinite lattice, stress to displacement gradient."""
     cell = [i * A1 + j * A2 + k * C for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)]
     rows = []
     for own, other, inner in (
@@ -61,7 +61,7 @@ def compliance(gamma: float) -> Array:
             if abs(n @ n - 1.0) < 1e-9:
                 whole = np.hstack([np.kron(np.eye(3), n), inner * np.eye(3)])
                 rows += [n[None] @ whole, np.sqrt(gamma) * (np.eye(3) - np.outer(n, n)) @ whole]
-    B = np.vstack(rows) / np.sqrt(2.0)  # each bond was met from both its ends
+    B = np.vstack(rows) / np.sqrt(2.0)  # each bond is counted from both its ends
     energy = B.T @ B / (A1[0] * A2[1] * C[2])
     relaxed = energy[:9, :9] - energy[:9, 9:] @ np.linalg.solve(energy[9:, 9:], energy[9:, :9])
     inverse: Array = np.linalg.inv(relaxed)
@@ -69,14 +69,14 @@ def compliance(gamma: float) -> Array:
 
 
 def pulled(gamma: float, along: Array) -> Array:
-    """(3, 3) displacement gradient of the infinite lattice under a pull kn/d along a line."""
+    """The displacement gradient (3, 3) of the infinite lattice under the tension kn/d on a line."""
     unit = np.asarray(along) / np.linalg.norm(along)
     gradient: Array = (compliance(gamma) @ np.outer(unit, unit).ravel()).reshape(3, 3)
     return gradient
 
 
 def _slips(x: Array, gamma: float) -> Array:
-    """(B, 4, N, 3): the elongation and sqrt(gamma) times the slip of each bond, linear in u."""
+    """The coefficients (B, 4, N, 3) in u of each elongation and of sqrt(gamma) times each slip."""
     apart = np.linalg.norm(x[:, None] - x[None], axis=2)
     pairs = np.argwhere(np.triu(np.abs(apart - 1.0) < 1e-6))
     told = np.zeros((len(pairs), 4, len(x), 3))

@@ -1,9 +1,10 @@
-"""Second route to the confined unit of four bonded elements: rates of its balance, integrated.
+"""Second route to the confined unit of four bonded elements: its equilibrium in rates, integrated.
 
-Loads grow, then the top sinks, then the bonds of the base let go, then the top sinks further. In
-each stage one number drives the balance of a base element at the radius r, and the rates of r and
-of the shear S follow from F(r, z, S, f, base) = 0 staying so; derivatives of F are differences.
-Lengths are in diameters, forces in kn d.
+The loads grow, then the top moves down, then the bonds of the base lose their force, then the top
+moves down further. In each stage one parameter changes the equilibrium of a base element at the
+radius r, and the rates of r and of the shear S follow from the condition that
+F(r, z, S, f, base) = 0 persists. Derivatives of F are finite differences. Lengths are in diameters,
+forces in kn d.
 """
 
 from collections.abc import Callable
@@ -15,9 +16,9 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Margin = Callable[[Array, Array], float]
 STEP = 1e-6
-MOST = 3000  # rates of a stage
+MOST = 3000  # largest number of evaluations of the rates in a stage
 HEIGHT = sqrt(2.0 / 3.0)
-Z, F, BASE = 0, 1, 2  # what may drive
+Z, F, BASE = 0, 1, 2  # indices of the parameters that change
 
 
 def sliding_failure(
@@ -25,8 +26,8 @@ def sliding_failure(
 ) -> tuple[float, float, float, float, float]:
     """The pressure [Pa] and the strain at which inclined bonds slide, under inward loads fx [N].
 
-    Then the strain and the pressure at which the base opens, and the part of the bonds' strength
-    that an undamped swing from there leaves.
+    Three values follow: the strain and the pressure [Pa] at which the base opens, and the fraction
+    of the strength of inclined bonds that remains in the undamped oscillation after it.
     """
     g, limit = ks / kn, fs0 / (kn * d)
 
@@ -66,7 +67,7 @@ def _unbalanced(r: float, s: float, at: Array, g: float) -> float:
 def _driven(
     state: Array, at: Array, which: int, target: float, g: float, until: Margin | None = None
 ) -> tuple[Array, Array]:
-    """(at, state) after one number of `at` went to its target, or to where `until` is 0."""
+    """(at, state) after one number of `at` reached its target, or a value with `until` = 0."""
     from scipy.integrate import solve_ivp
 
     begin = float(at[which])

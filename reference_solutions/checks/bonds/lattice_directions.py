@@ -1,7 +1,7 @@
-"""A strained hexagonal close-packed lattice in a periodic box: the second route.
+"""Second route to a strained hexagonal close-packed lattice, in a periodic box.
 
-The box has four elements; their bonds are found by distance among the images, and all four are
-free to move until the energy is least.
+The box has four elements. Their bonds are found from distances among the periodic images, and the
+displacements of all four minimise the energy.
 """
 
 from itertools import product
@@ -22,13 +22,14 @@ def energy(strain: Array, *, kn: float, ks: float, d: float) -> float:
     """The energy density [J/m3] under a symmetric strain (3, 3), to second order."""
     stretch, weight = _relaxed(strain, kn, ks)
     force = d * weight * stretch
-    return float(0.25 * (force @ force) / (BOX.prod() * d**3))  # each bond is met twice
+    return float(0.25 * (force @ force) / (BOX.prod() * d**3))  # each bond is counted twice
 
 
 def opening(direction: Array, *, kn: float, ks: float, xb: float, d: float) -> float:
-    """The tension [Pa] along a unit vector (3,) at which the first bond is longer by xb [m].
+    """The tension [Pa] along a unit vector (3,) at which a bond is first stretched by xb [m].
 
-    The strain is that of which the energies of pairs of strains say that it bears the tension.
+    The strain under this tension follows from the stiffness, which is obtained from the energies of
+    single strains and of sums of two.
     """
     springs = {"kn": kn, "ks": ks, "d": d}
     alone = [energy(one, **springs) for one in STRAINS]
@@ -42,7 +43,7 @@ def opening(direction: Array, *, kn: float, ks: float, xb: float, d: float) -> f
 
 
 def _relaxed(strain: Array, kn: float, ks: float) -> tuple[Array, Array]:
-    """What bonds are longer by, in diameters, and move across by, twice; and roots of springs."""
+    """The elongation and two slips of each bond [diameters], and the roots of the stiffnesses."""
     rows, right, weight = [], [], []
     for i, j in product(range(4), repeat=2):
         for image in product((-1, 0, 1), repeat=3):

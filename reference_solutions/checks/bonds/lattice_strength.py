@@ -1,4 +1,4 @@
-"""Second route to the strength of blocks: repeated right-angled cells, by least squares."""
+"""Second route to the strength of blocks: rectangular cells, repeated, and least squares."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,7 @@ Pairs = tuple[NDArray[np.int64], NDArray[np.int64]]
 SIDES = np.array([1.0, np.sqrt(3.0), np.sqrt(8.0 / 3.0)])  # of a cell, in diameters
 CELL = np.array(
     [[0, 0, 0], [1 / 2, 1 / 2, 0], [1 / 2, 1 / 6, 1 / 2], [0, 2 / 3, 1 / 2]]
-)  # in sides
+)  # elements of a cell, in units of its sides
 
 
 def first_opening(n: int, p: int, q: int, gamma: float) -> float:
@@ -20,9 +20,10 @@ def first_opening(n: int, p: int, q: int, gamma: float) -> float:
 
 
 def slidings(n: int, p: int, q: int, gamma: float, mu: float) -> Array:
-    """(b,) the pressures over fs0/d^2 at which inclined bonds slide, in linear theory.
+    """The pressures (b,) over fs0/d^2 at which inclined bonds slide, in linear theory.
 
-    There are no other bonds; one slides where what is across it is fs0 and mu of what pushes.
+    There are no other bonds. A bond slides when its shear force is fs0 plus mu times its normal
+    force, compression positive.
     """
     x = _centres(np.array([n - 1, p, q]))
     i, j = _touching(x)
@@ -40,10 +41,10 @@ def _touching(x: Array) -> Pairs:
 
 
 def _strained(x: Array, bonds: Pairs, gamma: float) -> tuple[float, Array]:
-    """Of a block at the strain 1: stress over kn/d; (b, 3) stretches, slips times sqrt(gamma).
+    """The stress over kn/d of a block at the strain 1, and the displacements (b, 3) of its bonds.
 
-    Unknowns are the coordinates that no platen holds; what is least is the sum of the squares of
-    these, along and in two directions across each bond.
+    These are the stretch of each bond and sqrt(gamma) times its two slips. The coordinates that no
+    platen prescribes minimise the sum of their squares.
     """
     i, j = bonds
     frames = (
@@ -57,7 +58,7 @@ def _strained(x: Array, bonds: Pairs, gamma: float) -> tuple[float, Array]:
     z[:, 2] = x[:, 2]
     free = np.ones_like(x, bool)
     free[:, 2] = (x[:, 2] > 1e-9) & (x[:, 2] < height - 1e-9)
-    u = z.ravel()  # at the strain 1, with what is free still to move
+    u = z.ravel()  # a uniform strain 1, before the free coordinates relax
     u[free.ravel()] -= np.linalg.lstsq(rows[:, free.ravel()], rows @ u, rcond=1e-10)[0]
     moved = (rows @ u).reshape(-1, 3)
     modulus = (moved**2).sum() / (np.ptp(x[:, 0]) * np.ptp(x[:, 1]) * height)
@@ -65,7 +66,7 @@ def _strained(x: Array, bonds: Pairs, gamma: float) -> tuple[float, Array]:
 
 
 def _centres(sides: Array) -> Array:
-    """(N, 3) the elements of the cells in a box of so many sides, its faces included."""
+    """The elements (N, 3) in a box whose sides are these numbers of cells, its faces included."""
     cells = np.stack(np.meshgrid(*(np.arange(k + 1) for k in sides)), axis=-1).reshape(-1, 1, 3)
     places = (cells + CELL).reshape(-1, 3)
     inside: Array = places[(places < sides + 1e-9).all(axis=1)] * SIDES
@@ -73,7 +74,7 @@ def _centres(sides: Array) -> Array:
 
 
 def _frame(line: Array) -> Array:
-    """(3, 3) rows: a unit vector and two across it."""
+    """The rows (3, 3) are a unit vector and two unit vectors perpendicular to it."""
     other = np.eye(3)[np.abs(line).argmin()]
     first = np.cross(line, other) / np.linalg.norm(np.cross(line, other))
     return np.array([line, first, np.cross(line, first)])

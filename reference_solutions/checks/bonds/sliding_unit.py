@@ -1,8 +1,8 @@
-"""Second route to units that part: virtual work of the push and of friction, and a located end.
+"""Second route to units that separate: virtual work of normal forces and friction until the end.
 
-The push does the work of its potential V = 3 kn (d - L)^2/2, friction takes 3 mu N for each length
-L da of slip, a being the angle of a contact with the axis; forces on a base are their derivatives
-by its radius, taken as differences.
+Normal forces have the potential V = 3 kn (d - L)^2/2, and friction dissipates 3 mu N L da at the
+slip L da, with the angle a of a contact with the axis. The forces on a base element are derivatives
+of this work by the radius, taken as finite differences. The end of contact is located as an event.
 """
 
 from math import atan2, cos, hypot, sin
@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-SMALL = 1e-6  # of a diameter: a difference
+SMALL = 1e-6  # finite difference of the radius, over a diameter
 
 
 def separation_rates(
     *, kn: float, mu_p: float, d: float, m: float, eta: float, begin: tuple[float, float],
     fall: float, longest: float,
 ) -> tuple[float, float] | None:  # fmt: skip
-    """The rates [m/s] at which contacts open and slide as they end; None if they have not by then.
+    """The rates [m/s] at which contacts open and slide as they end; None if they do not end.
 
-    begin: length [m] and angle [rad] of a contact as it starts to slide, at rest; fall: speed of
-    the top [m/s]; longest: time [s].
+    begin: length [m] and angle [rad] of a contact as it starts to slide, from rest; fall: speed of
+    the top [m/s]; longest: the time [s] within which contacts must end.
     """
     from scipy.integrate import solve_ivp
 

@@ -1,12 +1,12 @@
 """Second route to the unit of four bonded elements of Liu et al. (2017): rates in space.
 
-Nothing is assumed of symmetry. The four elements have twelve coordinates, each bond a stretch and a
-shear displacement in space that turns with it; in every balance the rates of all forces on free
-coordinates vanish, which is a linear system for the velocities, and the path is integrated from
-zero. The springs remember their path, so there is no energy to minimise. A bond that opens is let
-go of by a factor that falls to 0. Lengths are in diameters, forces in kn d; what is integrated is
-displacement over strain, so that small strains lose no digits. A spring without memory is a matter
-of finding roots.
+No symmetry is assumed. The four elements have twelve coordinates; each bond has a stretch and a
+shear displacement in space that rotates with it. Along a path of equilibria the rates of all forces
+on free coordinates vanish, which is a linear system for the velocities, and the path is integrated
+from zero. The springs depend on the path, so that there is no energy to minimise. The force of a
+bond that opens is multiplied by a factor that decreases to 0. Lengths are in diameters, forces in
+kn d. The integrated variable is displacement over strain, so that small strains lose no digits.
+With springs that do not depend on the path, equilibria are roots of the forces.
 """
 
 from collections.abc import Callable
@@ -27,21 +27,21 @@ START = np.array(
     ]
 )
 BONDS = np.array([[1, 0], [2, 0], [3, 0], [1, 2], [2, 3], [3, 1]])
-HELD = np.array([2, 5, 8, 11])  # the z of all; x and y are free
+HELD = np.array([2, 5, 8, 11])  # the z coordinates of all elements; x and y are free
 FREE = np.setdiff1d(np.arange(12), HELD)
 OFFSET = START[BONDS[:, 1]] - START[BONDS[:, 0]]
 
 
 @dataclass(frozen=True)
 class Unit:
-    """Displacements u (4, 3), shear of the bonds s (6, 3), `base`: what is left of the base's."""
+    """Displacements u (4, 3), shear s (6, 3) of bonds; base: the factor on forces of base bonds."""
 
     u: Array
     s: Array
     base: float = 1.0
 
     def geometry(self) -> tuple[Array, Array, Array]:
-        """Length, stretch and direction of the bonds."""
+        """The length, stretch and direction of the bonds."""
         moved = self.u[BONDS[:, 1]] - self.u[BONDS[:, 0]]
         now = OFFSET + moved
         length = np.sqrt((now**2).sum(axis=1))
@@ -64,17 +64,17 @@ class Unit:
 
     @property
     def kept(self) -> Array:
-        """(6,) the fraction of its force that each bond still has."""
+        """The factor (6,) on the force of each bond, below 1 as base bonds open."""
         return np.where(np.arange(6) < 3, 1.0, self.base)
 
 
 def equilibrium(strain: float, gamma: float) -> dict[str, float]:
-    """What is measured on the unit at an axial strain: see `_measured`."""
+    """The measured quantities (`_measured`) of the unit at an axial strain."""
     return _measured(_strained(NEW, strain, gamma), gamma)
 
 
 def equilibrium_total(strain: float, gamma: float) -> dict[str, float]:
-    """The same with springs that measure the whole displacement across the bond as it is."""
+    """The same with springs of the total displacement across the present direction of the bond."""
     from scipy.optimize import root
 
     def unit(x: Array) -> Unit:
@@ -93,7 +93,7 @@ def equilibrium_total(strain: float, gamma: float) -> dict[str, float]:
 
 
 def failure(kind: str, gamma: float, xb: float, fs0: float, mu_p: float) -> dict[str, float]:
-    """The state where bonds fail: 'tension', 'opening' or 'sliding'; fs0 in kn d."""
+    """The state at which bonds fail by 'tension', 'opening' or 'sliding'; xb in d, fs0 in kn d."""
     from scipy.optimize import brentq
 
     def first(begin: Unit, margin: Callable[[Unit], float], near: float, far: float) -> Unit:
@@ -121,7 +121,7 @@ NEW = Unit(np.zeros((4, 3)), np.zeros((6, 3)))
 
 
 def _measured(unit: Unit, gamma: float) -> dict[str, float]:
-    """Strain, force on the top, stretches and shear; the largest force that is out of balance."""
+    """The strain, force on the top, stretches, shear, and the largest residual force."""
     total = unit.forces(gamma)
     _, stretch, _ = unit.geometry()
     return {
@@ -139,13 +139,13 @@ def _strain(unit: Unit) -> float:
 
 
 def _strained(begin: Unit, strain: float, gamma: float) -> Unit:
-    """Follow balances from a state to another axial strain."""
+    """Follow the path of equilibria from a state to another axial strain."""
     more = strain - _strain(begin)
     return _followed(begin, more * START[0, 2], 0.0, gamma) if more else begin
 
 
 def _let_go(begin: Unit, gamma: float) -> Unit:
-    """Follow balances at a fixed height while the bonds of the base lose their force."""
+    """Follow the path of equilibria at a fixed height while base bonds lose their force."""
     return replace(_followed(begin, 0.0, -1.0, gamma), base=0.0)
 
 
@@ -169,7 +169,7 @@ def _followed(begin: Unit, lift: float, loss: float, gamma: float) -> Unit:
 
 
 def _rates(unit: Unit, lift: float, loss: float, gamma: float) -> tuple[Array, Array]:
-    """Velocities (4, 3) that keep the balance, and the rates of shear (6, 3)."""
+    """The velocities (4, 3) that maintain equilibrium, and the rates of shear (6, 3)."""
     length, stretch, n = unit.geometry()
     eye = np.eye(3)
     across = eye - n[:, :, None] * n[:, None, :]

@@ -1,7 +1,8 @@
-"""A second route to lattices with rotation: least squares of the separation of touching points.
+"""Second route to lattices with rotation: least squares of the separation of touching points.
 
-Every element is a rigid ball; a bond joins the points of two that touch, each carried by its ball's
-displacement and rotation. No stiffness matrix is formed. Lengths are in diameters.
+Every element is a rigid sphere. A bond joins the touching points of two spheres, each of which
+follows the displacement and rotation of its sphere. No stiffness matrix is formed. Lengths are in
+diameters.
 """
 
 import numpy as np
@@ -11,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 def static(x: Array, gamma: float) -> tuple[float, Array]:
-    """Force on the platens over kn, and displacements, at the axial strain 1 of touching balls."""
+    """The force on the platens over kn and the displacements of spheres at the axial strain 1."""
     N = len(x)
     low, high = (np.abs(x[:, 2] - edge) < 1e-6 for edge in (x[:, 2].min(), x[:, 2].max()))
     known = np.zeros((N, 6), bool)
@@ -30,7 +31,10 @@ def _touching(x: Array) -> list[tuple[int, int]]:
 
 
 def _parting(x: Array, i: int, j: int, gamma: float) -> Array:
-    """(4, 6N): along the bond, and sqrt(gamma) times what is across, of the two points."""
+    """The coefficients (4, 6N) of the separation of two points along a bond, and across it.
+
+    The component across is multiplied by sqrt(gamma).
+    """
     place = (x[i] + x[j]) / 2.0
     told = np.zeros((3, len(x), 6))
     for ball, sign in ((i, -1.0), (j, 1.0)):

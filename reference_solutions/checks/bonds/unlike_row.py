@@ -1,7 +1,8 @@
-"""Spheres on bonds in space by Newton's equations: the second route.
+"""Second route to unlike spheres in a row: Newton's equations of spheres on bonds in space.
 
-Nothing is linear here and nothing knows of a row: each bond has a normal, which turns, and a shear
-displacement, a vector that turns with the bond and grows with what its two surfaces do.
+The equations are nonlinear and assume no row. Each bond has a normal, which rotates, and a shear
+displacement, a vector that rotates with the bond and grows with the relative displacement of the
+surfaces across it.
 """
 
 import numpy as np
@@ -27,9 +28,9 @@ def motion(
     push: Array,
     eta: float = 0.0,
 ) -> Array:
-    """Displacements (k, N, 3) [m] at times t (k,); x, v, spin, push: (N, 3), push constant [N].
+    """Displacements (k, N, 3) [m] at times t (k,) [s] of spheres under constant forces `push`.
 
-    eta: drag -eta v on every sphere [N s/m].
+    x [m], v [m/s], spin [1/s], push [N]: (N, 3); eta [N s/m]: of the drag -eta v on every sphere.
     """
     from scipy.integrate import solve_ivp
 
