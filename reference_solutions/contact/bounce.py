@@ -1,17 +1,18 @@
 """A sphere that bounces on a floor with friction and spin, solved stage by stage.
 
-The sphere (radius r, density rho, I = 2/5 m r^2) is thrown from a gap above the floor under gravity
-g: with v_n towards the floor, v_t along it, and the spin w that would roll it along if v_t = r w.
-The floor presses by kn U for an overlap U > 0 and holds by a shear spring: F' = -ks s with the slip
-velocity s = v_x - r w of the contact point, up to mu kn U (Li et al. 2018, Eqs. 4-8). The spring is
-uncharged when the contact closes.
+The sphere (radius r, density rho, I = 2/5 m r^2) starts at a gap above the floor under gravity g,
+with v_n towards the floor, v_t along it, and the spin w; it rolls without slip if v_t = r w.
+The normal force of the floor is kn U for an overlap U > 0. The friction F is that of a shear
+spring: F' = -ks s with the slip velocity s = v_x - r w of the contact point and |F| <= mu kn U
+(Li et al. 2018, Eqs. 4-8). F is zero when the contact closes.
 
-The normal motion does not depend on friction: a parabola in flight; in contact, which lasts for
-tau, U = (v/k) sin k tau + (g/k^2)(1 - cos k tau), k^2 = kn/m, from the speed v with which it meets
-the floor and leaves it. As s' = 7/2 F/m, the spring oscillates at kt^2 = 7/2 ks/m while it sticks;
-while it slips, F = +-mu kn U is known. It slips when |F| reaches mu kn U, and sticks again when the
-spring's own rate -ks s no longer outruns the cap's, mu kn U'. The centre takes 2/7 of every change
-of s.
+The normal motion does not depend on friction. It is a parabola in flight. In contact, at the time
+tau after it closed, U = (v/k) sin k tau + (g/k^2)(1 - cos k tau), k^2 = kn/m, where v is the speed
+with which the sphere meets the floor and leaves it. As s' = 7/2 F/m, the spring oscillates at kt^2
+= 7/2 ks/m while the contact sticks; while it slips, F = +-mu kn U is known. It slips once |F|
+reaches mu kn U, and sticks again once, in the direction of F, the rate -ks s of the spring force no
+longer exceeds the rate mu kn U' of the limit. The velocity of the centre changes by 2/7 of every
+change of s.
 
 Every function raises ValueError for parameters outside their ranges.
 """
@@ -33,12 +34,12 @@ from reference_solutions.parameters import (
 
 Array = NDArray[np.float64]
 
-CELLS, MOST = 2000, 1000  # of a contact: the least time between events; number of bounces
+CELLS, MOST = 2000, 1000  # parts of a contact to find an event; most bounces
 YIELD = 3.5  # m s'/F: 1 + m r^2/I
 
 
 class Normal(NamedTuple):
-    """The motion across the floor in a contact: rates k and kt [1/s], speed v [m/s], g, mu."""
+    """The motion normal to the floor in a contact: rates k and kt [1/s], speed v [m/s], g, mu."""
 
     k: float
     kt: float
@@ -70,16 +71,17 @@ class Normal(NamedTuple):
 
     @property
     def duration(self) -> float:
-        """The time in contact [s], after which the speed is v again."""
+        """The time in contact [s], at whose end the speed is v again."""
         return 2.0 * (pi - atan2(self.v * self.k, self.g)) / self.k
 
 
 @dataclass(frozen=True)
 class Stage:
-    """A stage from `begin` [s] on, `tau` after the contact closed.
+    """A stage that begins at `begin` [s], the time `tau` [s] after the contact closed.
 
-    way: 0 while it sticks, else the sign of the force while it slips. s: slip velocity [m/s]; f:
-    force over mass [m/s2]; x, v: the centre along the floor [m, m/s]. In flight `normal` is None.
+    way: 0 while the contact sticks, otherwise the sign of the friction. s: slip velocity [m/s]; f:
+    friction over mass [m/s2]; x, v: displacement and velocity of the centre along the floor [m,
+    m/s]; z, rise: those upwards at the start of a flight, in which `normal` is None.
     """
 
     begin: float
@@ -177,7 +179,7 @@ def _contact(stage: Stage, normal: Normal) -> list[Stage]:
 
 
 def _margin(stage: Stage, normal: Normal) -> Callable[[Array], Array]:
-    """The margin, of the cap or the spring's rate, that falls below zero where the stage ends."""
+    """The margin that falls below zero where the stage ends: of |F| in stick, of F' in slip."""
     k, mu = normal.k, normal.mu
 
     def of_cap(tau: Array) -> Array:
@@ -191,7 +193,7 @@ def _margin(stage: Stage, normal: Normal) -> Callable[[Array], Array]:
 
 
 def _sheared(stage: Stage, tau: Array) -> tuple[Array, Array, Array]:
-    """Slip velocity [m/s], force over mass [m/s2], and the integral of the former [m]."""
+    """Slip velocity [m/s], friction over mass [m/s2] and slip [m] since the stage began."""
     normal = stage.normal
     assert normal is not None
     k, kt, since = normal.k, normal.kt, tau - stage.tau
@@ -225,7 +227,7 @@ def _later(stage: Stage, tau: float) -> Stage:
 
 
 def _moved(stage: Stage, since: Array, g: float) -> Array:
-    """Displacements (k, 2) at times after the stage began."""
+    """Displacements (k, 2) [m] at the times `since` (k,) [s] after the stage began."""
     along = stage.x + stage.v * since
     if stage.normal is None:
         return np.stack([along, stage.z + stage.rise * since - g * since**2 / 2.0], axis=-1)
@@ -236,9 +238,9 @@ def _moved(stage: Stage, since: Array, g: float) -> Array:
 
 
 def _first_fall(margin: Callable[[Array], Array], begin: float, end: float) -> float | None:
-    """Where a margin first turns negative after `begin`; None if it does not before `end`.
+    """The time at which a margin first turns negative after `begin`; None if it does not by `end`.
 
-    It may be zero at the beginning, where rounding decides its sign.
+    The margin at `begin` is not evaluated: it may be zero there, with a sign due to rounding.
     """
     from scipy.optimize import brentq
 

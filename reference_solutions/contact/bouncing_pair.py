@@ -1,16 +1,16 @@
 """Two free spheres that bounce on each other with friction and spin, from event to event.
 
 Spheres of one density, radii r1 and r2, I = 2/5 m r^2, a gap apart along x, move in a plane and
-spin about its normal, without gravity. The first is at rest and spins at w1; the second comes with
-v_n towards it and v_t across, and spins at w2; a dead load presses each to the other, along x.
-An overlap U pushes them apart by kn U along the line n of centres; across, along e = z x n, a shear
-spring acts at arms a = r - U/2, in the middle of the overlap, so that no angular momentum is lost:
-F' = -ks s, s = (v2 - v1).e - (a1 w1 + a2 w2), up to mu kn U (Li et al. 2018, Eqs. 4-8). It turns
-with n and is uncharged when the contact closes.
+spin about its normal, without gravity. The centre of the first is at rest and it spins at w1; the
+second approaches at v_n, moves across at v_t and spins at w2. A constant load along x presses each
+towards the other. An overlap U causes the repulsive force kn U along the line n of centres. Across
+it, along e = z x n, a shear spring acts in the middle of the overlap, at the arms a = r - U/2, so
+that angular momentum is conserved: F' = -ks s, s = (v2 - v1).e - (a1 w1 + a2 w2), |F| <= mu kn U
+(Li et al. 2018, Eqs. 4-8). F rotates with n and is zero when the contact closes.
 
-Apart, both fly along parabolas, and the moment they meet is a root. In contact the equations of the
-bodies are integrated to rounding, and each end of a stage is located on what ends it: the overlap,
-the margin of the cap over |F| in stick, that of the spring's rate over the cap's in slip.
+In flight both move along parabolas, and the time of contact is a root. In contact the equations of
+motion are integrated to rounding, and the end of each stage is located as the root of a function:
+the overlap, mu kn U - |F| in stick, or in slip the rate of the spring force less that of its limit.
 
 Raises ValueError for parameters outside their ranges.
 """
@@ -33,11 +33,11 @@ Array = NDArray[np.float64]
 
 RTOL = 3e-14  # the least that solve_ivp accepts is 2.2e-14
 STEP = 0.05  # largest step times the rate of the normal spring
-CELLS, MOST = 4000, 1000  # of a flight, sought for its end; stages
+CELLS, MOST = 4000, 1000  # parts of a flight to find its end; most stages
 
 
 class Pair(NamedTuple):
-    """Radii and masses [m, kg], springs [N/m], cap, gap [m] and load [N] at t = 0."""
+    """Radii [m], masses [kg], stiffnesses [N/m], friction, gap at t = 0 [m] and load [N]."""
 
     r: tuple[float, float]
     m: tuple[float, float]
@@ -48,20 +48,20 @@ class Pair(NamedTuple):
     load: float
 
     def offset(self, z: Array) -> tuple[Array, Array, Array]:
-        """From the first centre to the second: change since t = 0, value, rate (2, k)."""
+        """The vector between the centres (2, k): its change since t = 0, its value, its rate."""
         start = np.array([self.gap + sum(self.r), 0.0]).reshape((2,) + (1,) * (z.ndim - 1))
         moved = z[2:4] - z[0:2]
         return moved, start + moved, z[6:8] - z[4:6]
 
     def overlap(self, z: Array) -> Array:
-        """U [m], negative where they are apart; free of cancellation."""
+        """U [m], negative where the spheres are apart, computed without cancellation."""
         moved, d, _ = self.offset(z)
         start, length = self.gap + sum(self.r), np.hypot(*d)
         grown = moved[0] * (start + d[0]) + moved[1] * d[1]
         return np.asarray(-self.gap - grown / (start + length))
 
     def slip(self, z: Array) -> tuple[float, float]:
-        """U' and s [m/s]."""
+        """The rate U' of the overlap and the slip velocity s [m/s]."""
         _, d, rate = self.offset(z)
         n = d / np.hypot(*d)
         across = -n[1] * rate[0] + n[0] * rate[1]
@@ -73,7 +73,7 @@ class Pair(NamedTuple):
         return [r - float(self.overlap(z)) / 2.0 for r in self.r]
 
     def rates(self, z: Array, way: float) -> list[float]:
-        """z' in contact; way: 0 while they stick, else the sign of F."""
+        """The rate of the state z in contact; way: 0 in stick, the sign of F in slip."""
         _, d, _ = self.offset(z)
         nx, ny = d / np.hypot(*d)
         closing, s = self.slip(z)
@@ -91,7 +91,7 @@ class Pair(NamedTuple):
         return -way * self.ks * s - self.mu * self.kn * closing
 
     def flown(self, z: Array, since: Array) -> Array:
-        """The state (11, k) after some time without contact."""
+        """The states (11, k) at the times `since` (k,) [s] after a flight began in the state z."""
         pull = np.array([self.load / self.m[0], 0.0, -self.load / self.m[1], 0.0])
         later = np.repeat(z[:, None], len(since), axis=1)
         later[:4] += np.outer(z[4:8], since) + np.outer(pull, since**2 / 2.0)
@@ -101,7 +101,11 @@ class Pair(NamedTuple):
 
 
 class Stage(NamedTuple):
-    """From `begin` [s] on: z where a flight begins or another ends; states: times -> (11, k)."""
+    """A stage that begins at `begin` [s].
+
+    z: the state at the begin of a flight, or at the end of a contact stage; states: a function of
+    times (k,) [s] to states (11, k).
+    """
 
     begin: float
     name: str
@@ -181,7 +185,7 @@ def _flight(two: Pair, begin: float, z: Array) -> Stage:
 
 
 def _after_flight(two: Pair, flight: Stage, end: float) -> Stage | None:
-    """The contact that ends a flight; None if there is none before `end`."""
+    """The contact stage that ends a flight; None if there is none before `end` [s]."""
     from scipy.optimize import brentq
 
     def apart(since: Array) -> Array:
@@ -200,7 +204,7 @@ def _after_flight(two: Pair, flight: Stage, end: float) -> Stage | None:
 
 
 def _contact(two: Pair, begin: float, z: Array, way: float) -> Stage:
-    """A stage of contact, integrated up to its end."""
+    """A stick or slip stage, integrated up to its end."""
     from scipy.integrate import solve_ivp
 
     def opens(_: float, z: Array) -> float:
@@ -228,7 +232,7 @@ def _contact(two: Pair, begin: float, z: Array, way: float) -> Stage:
 
 
 class _Dense(NamedTuple):
-    """States (11, k) at times [s] within a stage of contact; opens: they part after it."""
+    """States (11, k) at times [s] of a contact stage; opens: whether a flight follows."""
 
     begin: float
     duration: float
@@ -241,7 +245,7 @@ class _Dense(NamedTuple):
 
 
 def _next(two: Pair, stage: Stage) -> Stage:
-    """What follows a stage of contact."""
+    """The stage that follows a contact stage."""
     begin, z = stage.begin + stage.states.duration, stage.z.copy()
     if stage.states.opens:
         z[10] = 0.0

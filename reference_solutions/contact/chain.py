@@ -1,12 +1,13 @@
-"""A chain of N equal springs K on a base, its masses free to move along it, in closed form.
+"""Modes and waves of a chain of N masses and equal springs K on a base, in closed form.
 
-m_i u_i'' = K (u_{i-1} - 2 u_i + u_{i+1}), u_0 = 0 the base, the last end free. With one mass m the
-j-th frequency is 2 sqrt(K/m) sin(q_j/2) in the shape sin(i q_j), q_j = (2j - 1) pi/(2N + 1) (e.g.
-Brillouin 1946, Wave propagation in periodic structures, ch. 3). A wave of the phase q a mass goes
-at sqrt(K/m) cos(q/2) masses a second. Where the masses change from m to M, one part of it is sent
-back: |sin((q - Q)/2)/sin((q + Q)/2)|, from u = e^{iqn} + R e^{-iqn} up to the jump and T e^{iQn}
-beyond, which for long waves is |sqrt m - sqrt M|/(sqrt m + sqrt M).
-Every function raises ValueError for parameters outside their ranges.
+The masses move along the chain: m_i u_i'' = K (u_{i-1} - 2 u_i + u_{i+1}), u_0 = 0 at the base,
+and the last mass has a free end. With equal masses m the j-th angular frequency is
+2 sqrt(K/m) sin(q_j/2) and its mode sin(i q_j), q_j = (2j - 1) pi/(2N + 1) (e.g. Brillouin 1946,
+Wave propagation in periodic structures, ch. 3). A wave with the phase q per mass has the group
+velocity sqrt(K/m) cos(q/2) masses per second. Where the masses change from m to M, the reflected
+part of its amplitude is |sin((q - Q)/2)/sin((q + Q)/2)|, from u = e^{iqn} + R e^{-iqn} up to the
+change and T e^{iQn} beyond; for long waves it is |sqrt m - sqrt M|/(sqrt m + sqrt M). Every
+function raises ValueError for parameters outside their ranges.
 """
 
 from math import asin, pi, sin, sqrt
@@ -20,13 +21,13 @@ Array = NDArray[np.float64]
 
 
 def frequency(j: int, N: int, m: float, K: float) -> float:
-    """The j-th angular frequency [1/s], from 1 to N."""
+    """The j-th angular frequency [1/s], with j from 1 to N."""
     require_positive("kg, N/m", m=m, K=K)
     return 2.0 * sqrt(K / m) * sin(_phase(j, N) / 2.0)
 
 
 def shape(j: int, N: int) -> Array:
-    """The j-th mode (N,), from the base on; the largest number is near 1."""
+    """The j-th mode (N,), ordered from the base; its largest component is near 1."""
     return np.sin(_phase(j, N) * np.arange(1.0, N + 1.0))
 
 
@@ -43,9 +44,9 @@ def reflected(q: float, m: float, M: float, K: float) -> float:
 
 
 def motion(t: ArrayLike, thrown: ArrayLike, masses: ArrayLike, K: float) -> tuple[Array, Array]:
-    """Displacements and velocities (k, N) [m, m/s] at times (k,) [s], thrown from rest.
+    """Displacements and velocities (k, N) [m, m/s] at times (k,) [s], by superposition of modes.
 
-    thrown: (N,) [m/s]; masses: (N,) [kg], which may differ. All modes of the chain, superposed.
+    thrown: initial velocities (N,) [m/s] at zero displacement; masses: (N,) [kg], which may differ.
     """
     times, v = require_times(t), np.asarray(thrown, float)
     m = np.asarray(masses, float)

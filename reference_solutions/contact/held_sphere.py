@@ -1,9 +1,10 @@
-"""A sphere between two vertical walls whose friction alone carries its weight: closed form.
+"""A sphere between two vertical walls whose friction alone bears its weight, in closed form.
 
-The shear springs ks of both contacts start slack. The sphere sinks and oscillates on them, m z'' =
--m g - 2 ks z, while each bears at most mu N. If that is less than m g, the peak of the oscillation,
-the sphere slides under the constant friction 2 mu N: for ever if that is less than the weight,
-otherwise until it stops, from where it oscillates. By symmetry it does not rotate.
+The shear springs ks of both contacts are unloaded at first. The sphere sinks and oscillates on
+them, m z'' = -m g - 2 ks z, as long as the force of each spring is at most mu N. Its peak in the
+oscillation is m g. If mu N is less, the sphere slides under the constant friction 2 mu N: without
+end if 2 mu N is at most the weight, otherwise until it stops and oscillates about a new position.
+By symmetry it does not rotate.
 """
 
 import numpy as np
@@ -24,14 +25,14 @@ def height(t: Array, *, m: float, ks: float, mu: float, pressed: float, g: float
     swung = -m * g / (2 * ks) * (1 - np.cos(w * t))
     if most >= m * g:
         return np.asarray(swung)
-    slips = np.arccos(1 - 2 * most / (m * g)) / w  # when a spring first bears mu N
+    slips = np.arccos(1 - 2 * most / (m * g)) / w  # time at which the spring forces reach mu N
     gone, speed = -most / ks, -m * g / (2 * ks) * w * np.sin(w * slips)
-    slowed = 2 * most / m - g  # upwards, of what slides down
+    slowed = 2 * most / m - g  # upward acceleration while it slides down
     since = t - slips
     slid = gone + speed * since + slowed * since**2 / 2
     if slowed <= 0:
         return np.asarray(np.where(since < 0, swung, slid))
     stops = -speed / slowed
-    lowest, rests = gone + speed * stops / 2, (most - m * g / 2) / ks  # above the lowest
+    lowest, rests = gone + speed * stops / 2, (most - m * g / 2) / ks  # rests: equilibrium above it
     again = lowest + rests * (1 - np.cos(w * (since - stops)))
     return np.asarray(np.where(since < 0, swung, np.where(since < stops, slid, again)))

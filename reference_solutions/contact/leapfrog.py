@@ -1,10 +1,10 @@
-"""The leapfrog on a harmonic oscillator: its phase is too fast, its discrete energy conserved.
+"""Phase advance and conserved energy of the leapfrog on a harmonic oscillator.
 
-m x'' = -k x, w^2 = k/m: v+ = v- - w^2 x dt, x+ = x + v+ dt. A step turns the phase by
-2 asin(w dt/2), and m v- v+/2 + k x^2/2 stays as it is (Hairer, Lubich and Wanner 2003, Geometric
-numerical integration illustrated by the Stoermer-Verlet method, Acta Numerica 12, 399-450). With
-the mean velocity v = (v- + v+)/2 that is m v^2/2 + k (1 - (w dt/2)^2) x^2/2.
-Every function raises ValueError for parameters outside their ranges.
+For m x'' = -k x, w^2 = k/m, a step is v+ = v- - w^2 x dt, x+ = x + v+ dt. It advances the phase by
+2 asin(w dt/2), more than w dt, and conserves m v- v+/2 + k x^2/2 (Hairer, Lubich and Wanner 2003,
+Geometric numerical integration illustrated by the Stoermer-Verlet method, Acta Numerica 12,
+399-450). With the mean velocity v = (v- + v+)/2 this is m v^2/2 + k (1 - (w dt/2)^2) x^2/2. Every
+function raises ValueError for parameters outside their ranges.
 """
 
 from math import asin
@@ -18,7 +18,7 @@ def phase_per_step(angle: float) -> float:
 
 
 def stiffness(angle: float) -> float:
-    """The k in the conserved energy over that of the spring; angle = w dt [rad]."""
+    """The stiffness in the conserved energy over k, 1 - (w dt/2)^2; angle = w dt [rad]."""
     return 1.0 - _checked(angle) ** 2 / 4.0
 
 

@@ -1,11 +1,12 @@
-"""A body thrown obliquely at a wall of a spring, a dashpot and friction, from event to event.
+"""The oblique impact of a body on a wall with a spring, a dashpot and friction, by stages.
 
 Along the normal m u'' = -N, N = kn u + c u' from u = 0, u' = v at t = 0 until N falls to zero, in
-closed form; u [m] is the overlap, z = c/(2 sqrt(kn m)) in [0, 1). Along the wall m x'' = -T. While
-the contact sticks, T' = ks x'; T is at most mu N, the whole normal force, and where it would be
-more the contact slips with T = +-mu N. It sticks again once x' is no longer more than what T'/ks
-takes up. The body does not turn. Modes are integrated by an explicit Runge-Kutta method of order 8
-up to located events.
+closed form; u [m] is the overlap, and z = c/(2 sqrt(kn m)) lies in [0, 1). Along the wall m x'' =
+-T. While the contact sticks, T' = ks x'. |T| is at most mu N, N with its viscous part; once the
+spring force would exceed this limit, the contact slips with T = +-mu N. It sticks again once x',
+positive in the direction of slip, no longer exceeds the rate mu N'/ks at which the limit stretches
+the spring. The body does not rotate. Each stage of stick or slip is integrated by an explicit
+Runge-Kutta method of order 8 up to the event that ends it, which is located.
 """
 
 from collections.abc import Callable
@@ -16,11 +17,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
-STICK, FORWARD, BACKWARD = 0, 1, -1  # a mode is the sign of the friction of slipping contact
+STICK, FORWARD, BACKWARD = 0, 1, -1  # modes: the sign of T in slip, 0 in stick
 
 
 class Impact(NamedTuple):
-    """kn, ks [N/m], mu, z as above; m [kg]; v, along: speeds [m/s] at the wall and along it."""
+    """kn, ks [N/m], mu, z as above; m [kg]; v, along: speeds [m/s] normal to the wall and along."""
 
     m: float
     kn: float
@@ -32,11 +33,11 @@ class Impact(NamedTuple):
 
     @property
     def end(self) -> float:
-        """When the force ends [s]."""
+        """The time [s] at which the normal force falls to zero."""
         return (pi - 2.0 * asin(self.z)) / sqrt(self.kn / self.m * (1.0 - self.z**2))
 
     def normal(self, t: Array | float) -> tuple[Any, Any, Any]:
-        """The overlap [m], the force N [N] and its rate [N/s] at times [s] while it acts."""
+        """The overlap [m], the force N [N] and its rate [N/s] at times t [s] up to `end`."""
         w = sqrt(self.kn / self.m)
         fades, wd, c = self.z * w, w * sqrt(1.0 - self.z**2), 2.0 * self.z * sqrt(self.kn * self.m)
         swing = self.v / wd * np.exp(-fades * t)
@@ -63,7 +64,7 @@ def motion(t: ArrayLike, impact: Impact) -> tuple[Array, Array]:
 
 
 def _mode(impact: Impact, now: float, y: Array, mode: int) -> tuple[float, Any, int]:
-    """Integrate y = (x, x', T) in a mode to its end; when, what was found, and the next mode."""
+    """The end [s] of a mode, the integrated y = (x, x', T) up to it, and the next mode."""
     from scipy.integrate import solve_ivp
 
     def rate(t: float, y: Array) -> Array:

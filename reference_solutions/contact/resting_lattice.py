@@ -1,9 +1,10 @@
-"""A close-packed sheet of spheres at rest under its weight in a box it was pressed into.
+"""A close-packed sheet of spheres at rest under its weight in a box that is too narrow for it.
 
-Rows of n and n - 1 spheres of radius r and mass m stand in the gaps of the row below, between
-smooth walls that are `squeeze` of a diameter too close for every sphere of the long rows. Where
-they touch, linear springs kn push. Rest is found by Newton's method on the forces, whose Jacobian
-includes the rotation of the normals. Raises ValueError for parameters outside their ranges.
+Rows of n and of n - 1 spheres of radius r and mass m alternate; each lies in the gaps of the row
+below. The smooth walls are 2 n r (1 - squeeze) apart, less than the width 2 n r of the long rows.
+Contacts are linear springs kn without tension. The equilibrium is found by Newton's method on the
+forces, whose Jacobian includes the rotation of the normals. Raises ValueError for parameters
+outside their ranges.
 """
 
 from collections.abc import Iterator
@@ -21,7 +22,7 @@ _STILL = 4e-16  # of kn times the width: the largest remaining force, due to rou
 
 
 def packed(n: int, rows: int, r: float) -> Array:
-    """The centres (k, 2) [m], across and up, of spheres that just touch: the box is 2 n r wide."""
+    """The centres (k, 2) [m], across and up, of spheres that just touch in a box 2 n r wide."""
     if n < 2 or rows < 1:
         raise ValueError(f"n = {n}, rows = {rows}; at least 2 spheres and 1 row are needed")
     require_positive("m", r=r)
@@ -39,7 +40,7 @@ def at_rest(
     """The centres (k, 2) [m] at rest, and the width [m] of the box."""
     require_positive("in SI units", m=m, kn=kn, g=g, squeeze=squeeze)
     x, width = packed(n, rows, r), 2.0 * r * n * (1.0 - squeeze)
-    x *= 1.0 - squeeze  # up, too: where nothing touches, nothing has a slope
+    x *= 1.0 - squeeze  # vertically too: without contacts the Jacobian is singular
     pairs = list(_neighbours(x, r))
     for _ in range(_ROUNDS):
         force, slope = _forces(x, pairs, r, kn, width)
@@ -51,7 +52,7 @@ def at_rest(
 
 
 def _neighbours(x: Array, r: float) -> Iterator[tuple[int, int]]:
-    """The pairs that touch, or would if the sheet were a tenth of a radius smaller."""
+    """The pairs whose centres are less than 2.1 r apart, which touch or may come to touch."""
     for i in range(len(x)):
         for j in range(i + 1, len(x)):
             if np.hypot(*(x[j] - x[i])) < 2.1 * r:
@@ -59,7 +60,7 @@ def _neighbours(x: Array, r: float) -> Iterator[tuple[int, int]]:
 
 
 def _forces(x: Array, pairs: Pairs, r: float, kn: float, width: float) -> tuple[Array, Array]:
-    """The forces (2 k,) [N] of all contacts, and their slopes (2 k, 2 k) [N/m]."""
+    """The contact forces (2 k,) [N] on the spheres and their Jacobian (2 k, 2 k) [N/m]."""
     force, slope = np.zeros(2 * len(x)), np.zeros((2 * len(x), 2 * len(x)))
     for i, j in pairs:
         d = x[j] - x[i]

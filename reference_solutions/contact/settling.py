@@ -1,10 +1,10 @@
 """A sphere with drag that bounces on a floor until it no longer leaves it, stage by stage.
 
-Dropped at rest from a height above the floor: z'' = -g - c z' in flight and z'' = -g - c z' - k^2 z
-while z < 0, z its height over the floor; c = eta/m, k^2 = kn/m. Both are solved in closed form, and
-the times at which z passes through 0 are located between turning points, which are known. It stays
-once the top of an oscillation in contact is below the level of the floor. Every function raises
-ValueError for parameters outside their ranges.
+It is released from rest at a height above the floor. Its height z over the floor follows z'' = -g -
+c z' in flight and z'' = -g - c z' - k^2 z while z < 0, with c = eta/m, k^2 = kn/m. Both are solved
+in closed form, and the times at which z = 0 are located between turning points, which are known.
+The sphere remains in contact once the highest point of its oscillation is below z = 0. Every
+function raises ValueError for parameters outside their ranges.
 """
 
 from collections.abc import Callable
@@ -19,11 +19,11 @@ from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
 
-_MOST = 10_000  # bounces
+_MOST = 10_000  # stages, at most
 
 
 class Stage(NamedTuple):
-    """What begins at `begin` [s], a flight or a contact, at height z [m] with velocity v [m/s]."""
+    """A flight or a contact that begins at `begin` [s] at height z [m] with velocity v [m/s]."""
 
     begin: float
     flies: bool
@@ -32,7 +32,7 @@ class Stage(NamedTuple):
 
 
 def settling(t: ArrayLike, *, m: float, kn: float, eta: float, g: float, height: float) -> Array:
-    """Displacement from the start [m] at times t >= 0 [s] of any shape, upwards."""
+    """The upward displacement [m] at times t >= 0 [s] of any shape."""
     t = require_times(t)
     found = stages(m=m, kn=kn, eta=eta, g=g, height=height)
     which = np.searchsorted([stage.begin for stage in found], t, side="right") - 1
@@ -46,7 +46,7 @@ def settling(t: ArrayLike, *, m: float, kn: float, eta: float, g: float, height:
 
 @lru_cache(maxsize=16)
 def stages(*, m: float, kn: float, eta: float, g: float, height: float) -> tuple[Stage, ...]:
-    """Flights and contacts in turn, until the contact that lasts."""
+    """Flights and contacts in turn, up to the contact that does not end."""
     require_positive("in SI units", m=m, kn=kn, eta=eta, g=g, height=height)
     critical = 2.0 * sqrt(kn * m)
     if eta >= critical:
@@ -66,7 +66,7 @@ def stages(*, m: float, kn: float, eta: float, g: float, height: float) -> tuple
 def _flown(
     s: Array, stage: Stage, m: float, kn: float, eta: float, g: float
 ) -> tuple[Array, Array]:
-    """Height [m] and velocity [m/s] a time s after a flight began."""
+    """Height [m] and velocity [m/s] at the times s [s] after a flight began."""
     c = eta / m
     lost = -np.expm1(-c * s)
     fall = g / c
@@ -76,7 +76,7 @@ def _flown(
 def _pressed(
     s: Array, stage: Stage, m: float, kn: float, eta: float, g: float
 ) -> tuple[Array, Array]:
-    """Height [m] and velocity [m/s] a time s after a contact began at z = 0."""
+    """Height [m] and velocity [m/s] at the times s [s] after a contact began at z = 0."""
     n, square = eta / (2.0 * m), kn / m
     wd, sunk = sqrt(square - n * n), g / square
     b = (stage.v + n * sunk) / wd
@@ -87,7 +87,7 @@ def _pressed(
 
 
 def _lands(stage: Stage, m: float, kn: float, eta: float, g: float) -> float:
-    """How long a flight lasts [s]."""
+    """The duration of a flight [s]."""
     c = eta / m
     top = log1p(c * stage.v / g) / c
     most = 2.0 * top + sqrt(2.0 * stage.z / g) + stage.z * c / g
@@ -97,7 +97,7 @@ def _lands(stage: Stage, m: float, kn: float, eta: float, g: float) -> float:
 
 
 def _leaves(stage: Stage, m: float, kn: float, eta: float, g: float) -> float:
-    """How long a contact lasts [s]; infinite if it does not end."""
+    """The duration of a contact [s], infinite if it does not end."""
     n, square = eta / (2.0 * m), kn / m
     wd, sunk = sqrt(square - n * n), g / square
     b = (stage.v + n * sunk) / wd

@@ -1,11 +1,12 @@
-"""A mass between a spring and drag, shaken while its spring's other end moves, in closed form.
+"""A damped mass on a spring under sines of acceleration and of support motion, in closed form.
 
 m q'' + c q' + k (q - Q(t)) = F + m a(t) from q(0) = 0, q'(0) = v: q [m] is a displacement along one
-axis, c [N s/m] drag on the mass itself, F [N] constant. Each drive is a sum of sines, A sin(w t +
-phi) with w [rad/s]: a [m/s2] shakes the mass, the end of the spring has moved by Q(t) = sum of A
-(sin(w t + phi) - sin phi) [m]. The answer is the steady motion under each sine and a decaying
-oscillation that satisfies the initial state (Rao, Mechanical Vibrations, harmonically excited
-vibration). Under-damped only. Every function raises ValueError for parameters outside their ranges.
+axis, c [N s/m] the drag on the mass, F [N] a constant force. The drives are sums of sines of w
+[rad/s]: the mass is driven by a = sum of A sin(w t + phi) [m/s2], and the far end of the spring is
+displaced by Q = sum of A (sin(w t + phi) - sin phi) [m]. The solution is the steady motion under
+each sine and a decaying oscillation that satisfies the initial state (Rao, Mechanical Vibrations,
+harmonically excited vibration). It is for under-damped masses only. Every function raises
+ValueError for parameters outside their ranges.
 """
 
 from collections.abc import Sequence
@@ -21,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 class Sine(NamedTuple):
-    """amplitude [m or m/s2], omega [rad/s], phase [rad]."""
+    """A sine of the amplitude [m or m/s2], omega [rad/s] and the phase [rad]."""
 
     amplitude: float
     omega: float

@@ -1,18 +1,19 @@
 """Closed forms of the four single-contact tests T1 to T4 of Li et al. (2018).
 
-T1 and T2: a particle meets a fixed one head on, without and with viscosity. T3 and T4: a particle
-pressed on a wall by a constant overlap is thrown along it, without and with viscosity; it sticks,
-slips and sticks for good. Displacements y [m] are along the motion and 0 at t = 0; no gravity.
+In T1 and T2 a particle hits a fixed one head on, without and with viscosity. In T3 and T4 a
+particle with a constant overlap with a wall is launched along it, without and with viscosity; it
+sticks, slips and then sticks for ever. Displacements y [m] are along the motion and 0 at t = 0.
+There is no gravity.
 
 Symbols are the paper's, per metre of thickness: density rho [kg/m3], radius r [m], contact
 stiffnesses kn and ks [N/m], friction coefficient mu [-], viscosity eta [N s/m], initial velocities
 v_a < 0 (approaching, T1 and T2) and v_b of either sign (T3 and T4) [m/s]. m = 2 sqrt3 rho r^2,
 n = eta/(2m), k = sqrt(kn/m) in T1 and T2, sqrt(ks/m) in T3 and T4, wd = sqrt(k^2 - n^2).
 
-All follows from the differential Eqs. 14 to 23. The printed v_a = -0.01 m/s (Eq. 27) contradicts
-Eqs. 29 and 31, which need -0.1; the printed n, k, t_s1 and v_s1 are wrong in the last digit. With
-the paper's dx neither mu nor kn moves T3 or T4: they change dx alone. Every function raises
-ValueError for a parameter that is not finite or has the wrong sign.
+All solutions follow from the differential Eqs. 14 to 23. The printed v_a = -0.01 m/s (Eq. 27)
+contradicts Eqs. 29 and 31, which need -0.1; the printed n, k, t_s1 and v_s1 are wrong in the last
+digit. With the paper's dx the motions T3 and T4 do not depend on mu and kn, which change dx alone.
+Every function raises ValueError for a parameter that is not finite or has the wrong sign.
 """
 
 from math import asin, copysign, cos, exp, factorial, isfinite, log1p, pi, sin, sqrt
@@ -31,7 +32,7 @@ _PHI2_SERIES = np.array([1.0 / factorial(j + 2) for j in range(18)])
 
 
 class Separation(NamedTuple):
-    """Where the contact of T1 or T2 ends: time `t` [s] and velocity `v` [m/s]."""
+    """The end of the contact of T1 or T2: time `t` [s] and velocity `v` [m/s]."""
 
     t: float
     v: float
@@ -62,10 +63,10 @@ def overlap(
     """dx [m] of T3 and T4, chosen so that T4 starts to slip at wd t = pi/8.
 
     mu kn dx/ks = |y1|, y1 = (v_b/wd) e^(-n pi/(8 wd)) sin(pi/8) (Li 2018, 'Shear Contact Force').
-    T4 still moves forward then if n tan(pi/8) < wd, that is n < k cos(pi/8); otherwise it slips
-    earlier, at the root of a transcendental equation. T3 always slips: k |y1/v_b| < 0.391.
+    At that time T4 still moves forward if n tan(pi/8) < wd, that is n < k cos(pi/8); otherwise it
+    slips earlier, at the root of a transcendental equation. T3 always slips: k |y1/v_b| < 0.391.
 
-    Raises ValueError for such an eta, and for dx >= r (a centre that is beyond the wall).
+    Raises ValueError if n >= k cos(pi/8), and if dx >= r (the centre would be beyond the wall).
     """
     _require_positive(kn=kn, ks=ks, mu=mu)
     if not isfinite(v_b) or v_b == 0.0:
@@ -78,7 +79,7 @@ def overlap(
 
 
 def separation(*, rho: float, r: float, kn: float, eta: float, v_a: float) -> Separation:
-    """t_n2 and v_n2 of T2, with eta = 0 t_n1 and v_n1 of T1 (Li 2018, Eqs. 28-31).
+    """t_n2 and v_n2 of T2, or with eta = 0 t_n1 and v_n1 of T1 (Li 2018, Eqs. 28-31).
 
     Raises ValueError if eta >= 2 m k (no rebound) or |v_a|/k >= 2 r (the centres might meet).
     """
@@ -140,8 +141,8 @@ def t3(
 ) -> Array:
     """y [m] of T3 at times t >= 0 [s] of any shape (Li 2018, Eqs. 18-20); eta acts through dx only.
 
-    (v_b/k) sin kt until t_s1; y1 + v_s1 s - a s^2/2, s = t - t_s1, until t_s4; then for good
-    b + y1 cos k(t - t_s4), which touches the limit of friction at each reversal without slipping.
+    (v_b/k) sin kt until t_s1; y1 + v_s1 s - a s^2/2, s = t - t_s1, until t_s4; then b + y1
+    cos k(t - t_s4), which reaches the friction limit at each reversal without slipping.
     """
     t = require_times(t)
     slip = t3_slip(rho=rho, r=r, kn=kn, ks=ks, mu=mu, eta=eta, v_b=v_b)
@@ -159,9 +160,9 @@ def t4(
     """y [m] of T4 at times t >= 0 [s] of any shape (Li 2018, Eqs. 21-23).
 
     (v_b/wd) e^(-nt) sin(wd t) until t_s2 = pi/(8 wd); with s = t - t_s2, B = v_s2 + a/2n,
-    y1 + (B/2n)(1 - e^(-2ns)) - (a/2n) s until t_s3; with s = t - t_s3 then for good
-    d + y1 e^(-ns) (cos(wd s) + (n/wd) sin(wd s)). It stays stuck: its energy, ks y1^2/2 at t_s3,
-    never grows, so that the spring never again reaches |y1| with a velocity left.
+    y1 + (B/2n)(1 - e^(-2ns)) - (a/2n) s until t_s3; then, with s = t - t_s3,
+    d + y1 e^(-ns) (cos(wd s) + (n/wd) sin(wd s)). It does not slip again: its energy, ks y1^2/2 at
+    t_s3, never grows, so that the spring never reaches |y1| with a velocity other than zero.
     """
     t = require_times(t)
     slip = t4_slip(rho=rho, r=r, kn=kn, ks=ks, mu=mu, eta=eta, v_b=v_b)
@@ -176,16 +177,17 @@ def t4(
 
 
 def _coasted(s: Array, n: float, v: float) -> Array:
-    """(v/2n)(1 - e^(-2ns)) = v s phi1(-2ns), v s if n = 0: y'' + 2n y' = 0 from velocity v."""
+    """y of y'' + 2n y' = 0 from velocity v: (v/2n)(1 - e^(-2ns)) = v s phi1(-2ns), v s if n = 0."""
     z = -2.0 * n * s
     moved: Array = v * s * np.divide(np.expm1(z), z, out=np.ones_like(z), where=z != 0.0)
     return moved
 
 
 def _slipped(s: Array, n: float, v: float, a: float) -> Array:
-    """(B/2n)(1 - e^(-2ns)) - (a/2n) s, B = v + a/2n: y'' + 2n y' + a = 0 from velocity v.
+    """y of y'' + 2n y' + a = 0 from velocity v: (B/2n)(1 - e^(-2ns)) - (a/2n) s, B = v + a/2n.
 
-    The terms in a cancel for small n; (2ns - 1 + e^(-2ns))/(2n)^2 = s^2 phi2(-2ns) does not.
+    For small n the terms in a cancel; their sum is -a s^2 phi2(-2ns) with s^2 phi2(-2ns) =
+    (2ns - 1 + e^(-2ns))/(2n)^2, which is evaluated without cancellation.
     """
     phi2: Array = np.polynomial.polynomial.polyval(-2.0 * n * s, _PHI2_SERIES)
     return _coasted(s, n, v) - a * s**2 * phi2
@@ -194,7 +196,7 @@ def _slipped(s: Array, n: float, v: float, a: float) -> Array:
 def _rates(
     m: float, stiffness: float, eta: float, share: float = 1.0
 ) -> tuple[float, float, float]:
-    """n, k and wd [1/s]; the motion needs 0 <= n < share k."""
+    """n, k and wd [1/s]. Raises ValueError unless 0 <= n < share k."""
     n, k = eta / (2.0 * m), sqrt(stiffness / m)
     if not 0.0 <= n < share * k:
         limit = f"{share * 2.0 * m * k:.9g} N s/m ({share:.4g} of critical, 2 m k)"

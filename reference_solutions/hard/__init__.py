@@ -1,1 +1,1 @@
-"""References of what strains a code."""
+"""References of cases that are hard for a code."""

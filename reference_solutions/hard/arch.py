@@ -1,10 +1,10 @@
 """The thinnest semicircular arch of n equal voussoirs that stands under its weight without slip.
 
-The line of thrust of half an arch passes the outer edge of the crown and of the springing; its
-horizontal thrust H follows from moments about the latter. It stands if at every joint between the
-line passes above the inner edge: H (y_c - y_j) >= the moment of the weights above about that edge.
-Where that is an equality the arch is a mechanism of five hinges (Heyman 1969, International
-Journal of Mechanical Sciences 11, 363-385). Thickness is in mean radii.
+In the limit the line of thrust of half an arch passes through the outer edges of the crown and of
+the springing; the horizontal thrust H follows from moments about the latter. The arch stands if the
+line passes above the inner edge of every joint between them: H (y_c - y_j) is at least the moment
+of the weights above about that edge. Where the two are equal the arch is a mechanism of five hinges
+(Heyman 1969, International Journal of Mechanical Sciences 11, 363-385). Thickness is in mean radii.
 Every function raises ValueError for parameters outside their ranges.
 """
 
@@ -13,22 +13,23 @@ from math import cos, pi, sin
 
 
 def thinnest_of_chords(n: int) -> float:
-    """For blocks with straight edges, whose corners lie on the circles R - t/2 and R + t/2."""
+    """The least t of voussoirs with straight edges, corners on the radii R - t/2 and R + t/2."""
     return _thinnest(n, _of_chord)
 
 
 def thinnest_of_arcs(n: int) -> float:
-    """For voussoirs with circular edges; 0.10748 for many."""
+    """The least t of voussoirs with circular edges; it tends to 0.10748 for large n."""
     return _thinnest(n, _of_arc)
 
 
 def stands(n: int, t: float, mu: float) -> bool:
     """Whether n blocks with straight edges and this friction have an equilibrium.
 
-    Half an arch with a thrust H at a height y of the crown is enough, as the mean of an equilibrium
-    and its mirror image is one. Each joint bears the thrust and the weights above between its edges
-    and within Coulomb's limit: of H y, bounds that go with H, of which none may cross another, and
-    of H, bounds a H <= b.
+    Half an arch with a horizontal thrust H at a height y of the crown is sufficient, since the mean
+    of an equilibrium and its mirror image is an equilibrium. At each joint the resultant of the
+    thrust and the weights above must lie between the edges, which bounds H y from below and from
+    above by linear functions of H, and within Coulomb's limit, which bounds H. Every lower bound of
+    H y must be at most every upper one; so all conditions have the form a H <= b.
     """
     if n < 6 or n % 2:
         raise ValueError(f"n = {n}; an even number of at least 6 voussoirs is covered")
@@ -64,7 +65,7 @@ def _of_arc(t: float, opening: float) -> float:
 
 
 def _thinnest(n: int, out: Callable[[float, float], float]) -> float:
-    """Bisection between a thickness that falls and one that stands, down to rounding."""
+    """The least thickness by bisection, to rounding; out(t, opening): radius of a centroid."""
     if n < 6 or n % 2:
         raise ValueError(f"n = {n}; an even number of at least 6 voussoirs is covered")
     falls, stands = 0.02, 0.5
@@ -77,7 +78,7 @@ def _thinnest(n: int, out: Callable[[float, float], float]) -> float:
 
 
 def _least(t: float, n: int, out: Callable[[float, float], float]) -> float:
-    """The least moment by which the line of thrust keeps clear of an inner edge, by a weight R."""
+    """The least moment about an inner edge, over R and a weight; the arch falls below zero."""
     opening = pi / n
     far = [out(t, opening) * sin(opening * (k + 0.5)) for k in range(n // 2)]
     outer, inner = 1.0 + t / 2.0, 1.0 - t / 2.0

@@ -1,10 +1,10 @@
 """The fall from rest of an arch too thin to stand, as a mechanism with five hinges.
 
-Half of a symmetric arch of n voussoirs with straight edges is two bodies: the lower turns about
-the outer edge of the springing, the upper about the inner edge of the joint between them, and at
-the crown its outer edge stays in the plane of symmetry (Heyman 1969 names the mechanism). The
-forces in these pins are solved for with the accelerations at every moment of an integration.
-Raises ValueError for arches that stand.
+Half of a symmetric arch of n voussoirs with straight edges consists of two bodies. The lower
+rotates about the outer edge of the springing. The upper is hinged to it at the inner edge of the
+joint between them, and its outer edge at the crown stays in the plane of symmetry (the mechanism of
+Heyman 1969). At each time of the integration a linear system gives the accelerations and the forces
+in these hinges. Raises ValueError for arches that stand.
 """
 
 import numpy as np
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 class _Half:
-    """Half of an arch as two polygons, (mass, centroid, moment of inertia) each, and its pins."""
+    """Half of an arch as two bodies, (mass, centroid, moment of inertia) each, and its hinges."""
 
     def __init__(self, n: int, thick: float, size: float, g: float, joint: int) -> None:
         angle = np.linspace(0.0, np.pi, n + 1)
@@ -32,7 +32,7 @@ class _Half:
         self.start = np.concatenate((self.lower[1], [0.0], self.upper[1], [0.0], np.zeros(6)))
 
     def rate(self, _: float, y: Array) -> Array:
-        """Of places, angles, and their rates (12,): M a = weight + pins, and pins stay pinned."""
+        """The rate of positions, angles and their rates (12,): M a = weight + hinge forces."""
         v, (one, two) = y[6:], (y[2], y[5])
         rows, back = np.zeros((5, 6)), np.zeros(5)
         for row, arm, body, spun, sign in (
@@ -50,13 +50,13 @@ class _Half:
         return np.concatenate((v, (self.weight + rows.T @ pins) / self.mass))
 
     def begins(self) -> float:
-        """The acceleration [m/s2] with which the voussoir beside the crown begins to sink."""
+        """The initial downward acceleration [m/s2] of the voussoir beside the crown."""
         push = self.rate(0.0, self.start)[6:]
         return float(-push[4] - push[5] * self.last[0])
 
 
 def crown_drop(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> Array:
-    """The sinking [m] of the voussoir beside the crown at increasing times t (k,) [s]."""
+    """The drop [m] of the voussoir beside the crown at increasing times t (k,) [s]."""
     from scipy.integrate import solve_ivp
 
     require_positive("in SI units", thick=thick, size=size, g=g)
@@ -64,7 +64,7 @@ def crown_drop(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> 
     half = max((_Half(n, thick, size, g, j) for j in range(1, n // 2)), key=_Half.begins)
     if half.begins() <= 0.0:
         raise ValueError(f"thick = {thick}; such an arch of n = {n} stands")
-    span, small = (0.0, 1e-6 + float(t[-1])), 1e-14 * size  # beyond a last t of 0
+    span, small = (0.0, 1e-6 + float(t[-1])), 1e-14 * size  # a span even if t = 0
     y = solve_ivp(half.rate, span, half.start, "DOP853", t, rtol=1e-12, atol=small).y
     arm = half.last
     return np.asarray(half.start[4] + arm[1] - y[4] - np.sin(y[5]) * arm[0] - np.cos(y[5]) * arm[1])

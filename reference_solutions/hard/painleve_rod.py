@@ -1,13 +1,13 @@
-"""A uniform rod of length 2l whose lower end slides along a rough floor, into Painleve's paradox.
+"""Painleve's paradox: the lower end of a uniform rod of length 2l slides along a rough floor.
 
-The rod makes theta with the floor, does not turn at first, and its end moves at -V, away from its
-middle. While it slides, N = m (g + l cos(theta) theta'' - l sin(theta) theta'^2), friction is mu N
-and theta'' = (g - l sin(theta) theta'^2) b/(l (1/3 - cos(theta) b)) with b = mu sin(theta) -
-cos(theta). From mu = (1 + 3 cos^2)/(3 sin cos) on, 4/3 at tan(theta) = 2, no finite N keeps the
-end on the floor: it jams (Painleve 1895; Genot and Brogliato 1999, European Journal of Mechanics
-A 18, 653-677). An impulse on the edge of friction's cone then stops the end at once and keeps the
-moment of momentum about it. The end at rest, the rod turns about it.
-Every function raises ValueError for parameters outside their ranges.
+The rod is inclined to the floor by theta. At first it does not rotate, and its end moves at -V,
+away from its middle. While it slides, N = m (g + l cos(theta) theta'' - l sin(theta) theta'^2), the
+friction is mu N and theta'' = (g - l sin(theta) theta'^2) b/(l (1/3 - cos(theta) b)) with b = mu
+sin(theta) - cos(theta). From mu = (1 + 3 cos^2)/(3 sin cos) on, which is 4/3 at tan(theta) = 2, no
+finite N keeps the end on the floor: it jams (Painleve 1895; Genot and Brogliato 1999, European
+Journal of Mechanics A 18, 653-677). An impulse on the boundary of the friction cone then stops the
+end at once and conserves the angular momentum about it. Once the end is at rest, the rod rotates
+about it. Every function raises ValueError for parameters outside their ranges.
 """
 
 from math import atan2, cos, sin
@@ -19,21 +19,21 @@ from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
 
-_BEYOND = 1.000001  # of the last time: the end of the integration
+_BEYOND = 1.000001  # end of the integration over the last time
 _SHARP = {"rtol": 1e-12, "atol": 1e-14}
 
 
 def critical(slope: float) -> float:
-    """The friction from which on a rod that does not turn jams; slope = tan(theta)."""
+    """The coefficient of friction from which on a rod without spin jams; slope = tan(theta)."""
     require_positive("", slope=slope)
     theta = atan2(slope, 1.0)
     return (1.0 + 3.0 * cos(theta) ** 2) / (3.0 * sin(theta) * cos(theta))
 
 
 def middle(t: ArrayLike, *, mu: float, slope: float, half: float, V: float, g: float) -> Array:
-    """Displacement (k, 2) of the middle [m], along the floor and up, at rising times (k,) [s].
+    """Displacement (k, 2) [m] of the middle, along the floor and up, at rising times (k,) [s].
 
-    half: the length l [m].
+    half: half the length of the rod, l [m].
     """
     require_positive("in SI units", mu=mu, slope=slope, half=half, V=V, g=g)
     times, theta = require_times(t), atan2(slope, 1.0)
@@ -51,9 +51,9 @@ def middle(t: ArrayLike, *, mu: float, slope: float, half: float, V: float, g: f
 def _slide(
     start: Array, times: Array, mu: float, half: float, g: float
 ) -> tuple[float, Array, Array]:
-    """When the end stops [s], the state then, and the positions of the middle before.
+    """The time [s] at which the end stops, the state then, and the positions of the middle before.
 
-    States hold the middle's x, theta and their rates.
+    A state consists of the x of the middle, theta and their rates.
     """
     from scipy.integrate import solve_ivp
 
@@ -78,14 +78,14 @@ def _slide(
 
 
 def _turn(times: Array, start: Array, mu: float, half: float, g: float) -> Array:
-    """Positions of the middle once the end rests, from the state in which it stopped.
+    """Positions of the middle after the end stopped in the state `start`, while it is at rest.
 
     Raises ValueError where friction does not hold the end.
     """
     from scipy.integrate import solve_ivp
 
     x, theta, v, w = (float(value) for value in start)
-    arm = 0.75 / half**2  # of the moment of momentum over m, by the inertia about the end
+    arm = 0.75 / half**2  # m over the moment of inertia about the end, 4/3 m l^2
     rises = half * cos(theta) * w
     w = arm * (half * cos(theta) * rises - half * sin(theta) * v + half**2 / 3.0 * w)
     if not len(times):

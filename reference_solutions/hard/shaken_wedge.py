@@ -1,15 +1,16 @@
-"""A wedge in a symmetric groove under gravity and a sine, along the groove or level.
+"""A wedge that slides in a symmetric groove under gravity and a sine, along it or horizontal.
 
-Its sides open by xi and fall by the dip i; friction acts on K = 1/sin(xi/2) times what one plane
-would bear (see `wedge`). With a = A sin(2 pi f t) per mass,
+The sides of the groove enclose the angle xi, and it dips by i; the normal forces of both sides add
+up to K = 1/sin(xi/2) times that of one plane (see `wedge`). With the force per mass a = A sin(2 pi
+f t),
 
 along the groove   s'' = g (sin i - K mu cos i) + a                     as it slides down,
 level              s'' = g sin i + a cos i - K mu (g cos i - a sin i)   likewise,
 
-K with the other sign as it slides up, and at rest while friction can hold it: level, it moves like
-a block on an incline whose tangent of friction is K mu (Yagoda-Biran and Hatzor 2016, Sec. 4.4,
-says along the groove; its Fig. 16 is level).
-Every function raises ValueError for a parameter out of range.
+with the opposite sign of K as it slides up; it is at rest while friction can hold it. Under the
+level (horizontal) sine it moves like a block on an incline with the coefficient of friction K mu.
+The text of Yagoda-Biran and Hatzor (2016, Sec. 4.4) states a sine along the groove; their Fig. 16
+has a level one. Every function raises ValueError for a parameter out of range.
 """
 
 from math import atan, cos, degrees, pi, radians, sin
@@ -31,7 +32,7 @@ Array = NDArray[np.float64]
 
 
 def along(t: ArrayLike, *, dip: float, xi: float, mu: float, A: float, f: float, g: float) -> Array:
-    """s [m] down the groove at times t >= 0 [s] from rest, under a sine along it."""
+    """The displacement s [m] down the groove at times t >= 0 [s] from rest, sine along it."""
     t = require_times(t)
     require_acute(dip=dip)
     require_at_least_0("in SI units", mu=mu, A=A)
@@ -44,7 +45,7 @@ def along(t: ArrayLike, *, dip: float, xi: float, mu: float, A: float, f: float,
 
 
 def level(t: ArrayLike, *, dip: float, xi: float, mu: float, A: float, f: float, g: float) -> Array:
-    """s [m] down the groove at times t >= 0 [s] from rest, under a level sine across its strike."""
+    """The displacement s [m] down the groove at times t >= 0 [s] from rest, horizontal sine."""
     require_at_least_0("", mu=mu)
     phi = degrees(atan(pressing(xi) * mu))
     return incline.newmark(t, alpha=dip, phi=phi, A=A, f=f, g=g, v0=0.0)

@@ -1,12 +1,12 @@
-"""A body that tumbles freely until a corner meets a smooth plane: elliptic functions, one impact.
+"""A body that rotates freely until a corner hits a smooth plane: elliptic functions, one impact.
 
-Of a body with the principal inertias I [kg m2] about its axes, and w its spin in them, energy and
-moment of momentum L = |I w| give (Landau and Lifshitz, Mechanics, section 37)
+For the principal moments of inertia I [kg m2] and the spin w in the principal axes, the conserved
+energy and angular momentum L = |I w| give (Landau and Lifshitz, Mechanics, section 37)
 w1 ~ cn(q, k), w2 ~ sn(q, k), w3 ~ dn(q, k), with q = a (t - t0), where 3 is the axis, of the least
-or the greatest inertia, that L goes round. Space turns about L at L (I1 w1^2 + I2 w2^2)/(I1^2 w1^2
-+ I2^2 w2^2), the integrand of an elliptic integral of the third kind. A corner at r from the
-centre that meets the plane of normal n at a speed u < 0 stops there: without friction the impulse
--u/(1/m + (r x n).I^-1 (r x n)) acts along n.
+or the greatest inertia, about which L precesses in the body. In space the body precesses about L at
+the rate L (I1 w1^2 + I2 w2^2)/(I1^2 w1^2 + I2^2 w2^2), the integrand of an elliptic integral of the
+third kind. A corner at r from the centre that meets the plane of normal n at a normal velocity u <
+0 stops along n: without friction the impulse is -u/(1/m + (r x n).I^-1 (r x n)) along n.
 """
 
 from dataclasses import dataclass
@@ -18,15 +18,16 @@ from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
-PARTS = 8  # parts of a time in which the rotation about L is integrated, each with so many nodes
-LOOKS = 400  # parts in which the first corner that meets the plane is searched
+PARTS = 8  # parts of a time, each with these nodes, to integrate the rotation about L
+LOOKS = 400  # times at which corners are compared with the plane
 
 
 @dataclass(frozen=True)
 class Body:
-    """Mass [kg], principal inertias (3,) [kg m2], all unlike, and corners (c, 3) [m] in its axes.
+    """A rigid body: mass [kg], distinct principal inertias (3,) [kg m2], corners, and its axes.
 
-    axes: (3, 3), rows: its principal axes in space at t = 0, right-handed.
+    corners: (c, 3) [m] in the principal axes; axes: (3, 3), whose rows are the principal axes in
+    space at t = 0, right-handed.
     """
 
     mass: float
@@ -41,7 +42,7 @@ class Body:
 
 
 def spins(t: Array, inertia: Array, w: Array) -> Array:
-    """The spin (k, 3) [1/s] in the body's axes at times t (k,) [s]; w (3,) at t = 0."""
+    """The spin (k, 3) [1/s] in the body's axes at times t (k,) [s]; w (3,): the spin at t = 0."""
     from scipy.special import ellipj, ellipkinc
 
     order, mirror = _order(inertia, w)
@@ -65,8 +66,9 @@ def spins(t: Array, inertia: Array, w: Array) -> Array:
 
 
 def _order(inertia: Array, w: Array) -> tuple[list[int], Array]:
-    """Axes by inertia, upwards or downwards, so that L goes round the last; the signs that keep
-    them right-handed.
+    """The order of the axes by inertia, and the signs that keep them right-handed.
+
+    Inertias rise or fall such that L precesses about the last axis.
     """
     order = np.argsort(inertia)
     if inertia**2 @ w**2 < (inertia @ w**2) * inertia[order[1]]:
@@ -96,7 +98,7 @@ def turned(t: Array, body: Body, w: Array) -> Array:
 
 
 def _frame(momentum: Array, last: int) -> Array:
-    """Rows: L's direction in the body, the node across it and the last axis, and the third."""
+    """Rows: the direction of L in the body, the line of nodes, and their vector product."""
     along = momentum / np.linalg.norm(momentum)
     node = np.cross(np.eye(3)[last], along)
     node /= np.linalg.norm(node)
@@ -113,9 +115,10 @@ def _about(axis: Array, angle: float) -> Array:
 
 @dataclass(frozen=True)
 class Landing:
-    """When [s] the first corner meets the plane, and how the body goes on from there.
+    """The impact of the first corner on the plane at t [s], and the state after it.
 
-    gain: of velocity [m/s] along the normal; w: spin (3,) [1/s] in the body's axes; axes: (3, 3).
+    gain: change of velocity [m/s] along the normal; w: spin (3,) [1/s] in the body's axes; axes:
+    (3, 3), as those of `Body`.
     """
 
     t: float
@@ -125,14 +128,14 @@ class Landing:
 
 
 def clearance(t: Array, body: Body, w: Array, n: Array) -> Array:
-    """Heights (k, c) [m] of the corners over the centre along n (3,) at times t (k,) [s]."""
+    """Heights (k, c) [m] of the corners above the centre along n (3,) at times t (k,) [s]."""
     return np.asarray(turned(t, body, w) @ body.corners.T).transpose(0, 2, 1) @ n
 
 
 def landing(body: Body, w: Array, n: Array, *, height: float, V: float, latest: float) -> Landing:
-    """The impact on a plane `height` [m] below the centre, which comes nearer at V [m/s].
+    """The impact on a plane `height` [m] below the centre, which approaches it at V [m/s].
 
-    Raises ValueError where no corner meets it until `latest` [s].
+    Raises ValueError if no corner meets the plane by `latest` [s].
     """
     from scipy.optimize import brentq
 

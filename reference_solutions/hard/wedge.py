@@ -1,6 +1,7 @@
-"""A wedge slides down a groove whose two sides open by xi: friction pressed K times its weight.
+"""A wedge that slides down a symmetric groove with friction on both sides, in closed form.
 
-Each side bears N = W cos(i)/(2 sin(xi/2)), the groove falling by i: s'' = g (sin i - K mu cos i),
+The sides enclose the angle xi, and the groove dips by i. The normal force of each side is N = W
+cos(i)/(2 sin(xi/2)), so that the displacement follows s'' = g (sin i - K mu cos i),
 K = 1/sin(xi/2) (Goodman and Shi 1985, Block theory, ch. 9; Yagoda-Biran and Hatzor 2016, Sec. 4.2).
 Every function raises ValueError for parameters outside their ranges.
 """
@@ -16,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def pressing(xi: float) -> float:
-    """K: what both sides bear over what one plane would; xi: opening [rad], at most pi."""
+    """K, the normal forces of both sides over that of one plane; xi: angle [rad], at most pi."""
     require_positive("rad", xi=xi)
     if xi > pi:
         raise ValueError(f"xi = {xi} rad; a groove opens by at most pi")

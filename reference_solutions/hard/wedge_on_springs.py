@@ -1,9 +1,9 @@
-"""A sphere of mass m on springs kn, ks slides down a groove whose two sides open by xi.
+"""A sphere of mass m on contact springs kn, ks that slides down a groove, in closed form.
 
-It starts pressed by N/kn into each side, N = W cos(i)/(2 sin(xi/2)), so that it does not sink; but
-its shear springs start slack, and it oscillates on both, m s'' = m g sin(i) - 2 ks s, until each
-bears mu N. From then on the friction is steady. Raises ValueError for parameters outside their
-ranges.
+The two sides of the groove enclose the angle xi. At first the sphere overlaps each side by N/kn, N
+= W cos(i)/(2 sin(xi/2)), so that it does not sink. The shear springs are unloaded at first, and the
+sphere oscillates on both, m s'' = m g sin(i) - 2 ks s, until the force of each is mu N. From then
+on the friction is constant. Raises ValueError for parameters outside their ranges.
 """
 
 from math import cos, radians, sin
@@ -22,7 +22,7 @@ def slid(t: ArrayLike, *, dip: float, xi: float, mu: float, g: float, m: float, 
     require_positive("in SI units", g=g, m=m, ks=ks)
     require_at_least_0("", mu=mu, dip=dip)
     at, i = require_times(t), radians(dip)
-    pull, held = g * sin(i), pressing(xi) * mu * g * cos(i)  # over the mass, both sides together
+    pull, held = g * sin(i), pressing(xi) * mu * g * cos(i)  # per mass, of both sides together
     w = np.sqrt(2.0 * ks / m)
     swung = pull / w**2 * (1.0 - np.cos(w * at))
     if held >= 2.0 * pull:

@@ -1,1 +1,1 @@
-"""Second routes to the references of contacts of spheres."""
+"""Independent second routes to the references of contacts of spheres."""

@@ -1,11 +1,11 @@
-"""Second route to the bouncing sphere and the bouncing pair: every motion integrated, flights too.
+"""Second route to the bouncing sphere and the bouncing pair: numerical integration of all stages.
 
-Nothing is assumed about the sequence of stages: what a body does next follows from the state at the
-end of a stage, and each end is located on a guard. The floor is taken with the spin as an unknown.
-The pair is taken in polar coordinates about the common centre of mass, with the reduced mass; its
-spins follow from the integrals J of the shear force F and K of U F/2, as it acts in the middle of
-the overlap U; its centre of mass moves steadily.
-Parameters are those of the first routes `bounce` and `bouncing_pair`, whose code is not used.
+Nothing is assumed about the sequence of stages: the next stage follows from the state at the end of
+a stage, and each end is located as the root of a guard function. On the floor the spin is an
+unknown. The pair is described in polar coordinates about the common centre of mass, with the
+reduced mass; the spins follow from the integrals J of the shear force F and K of U F/2, since F
+acts in the middle of the overlap U; the centre of mass moves at a constant velocity. Parameters are
+those of the first routes `bounce` and `bouncing_pair`, whose code is not used.
 """
 
 from collections.abc import Callable, Sequence
@@ -20,15 +20,15 @@ Rates = Callable[[Array, float, float], list[float]]
 
 RTOL = 3e-14  # the least that solve_ivp accepts is 2.2e-14
 STEP = 0.06  # largest step times the rate of the normal spring in contact
-FLIGHT = 400  # least steps that the whole would take in flight
+FLIGHT = 400  # least number of steps of the whole time in flight
 MOST = 1000  # stages
 
 
 @dataclass(frozen=True)
 class Touch:
-    """What presses and shears: functions of the state, whose last component is the force F.
+    """A contact by functions of the state, whose last component is the shear force F [N].
 
-    rates: the state's rates but for F', given the pressing force and F [N].
+    rates: the rates of the state without F', from the state, the normal force and F [N].
     """
 
     overlap: Callable[[Array], float]
@@ -42,11 +42,11 @@ class Touch:
     scale: Sequence[float]
 
     def excess(self, z: Array, way: float) -> float:
-        """F' of the spring less that of the cap, in the way F points [N/s]."""
+        """The rate of the spring force less that of its limit, in the direction of F [N/s]."""
         return -way * self.ks * self.slip(z) - self.mu * self.kn * self.closing(z)
 
     def margin(self, z: Array) -> float:
-        """How far F is below its cap [N]."""
+        """The friction limit less |F| [N]."""
         return self.mu * self.kn * self.overlap(z) - abs(float(z[-1]))
 
 
@@ -84,7 +84,7 @@ def pair(
     t: ArrayLike, *, rho: float, r1: float, r2: float, kn: float, ks: float, mu: float,
     gap: float, v_n: float, v_t: float, w1: float, w2: float, load: float,
 ) -> Array:  # fmt: skip
-    """Displacements (..., 4) [m]; state: distance less the first, angle, their rates, J, K, F."""
+    """Displacements (..., 4) [m]; state: change of distance, angle, their rates, J, K, F."""
     m1, m2 = (rho * pi * (2.0 * r) ** 3 / 6.0 for r in (r1, r2))
     m, start = m1 * m2 / (m1 + m2), gap + r1 + r2
     pull = load / m
@@ -116,7 +116,7 @@ def pair(
 
 
 def _parted(far: Array, angle: Array, start: float) -> Array:
-    """By what (..., 2) [m] the offset of the centres has changed; far: less `start`."""
+    """The change (..., 2) [m] of the vector between the centres; far: change of its length."""
     x = far * np.cos(angle) - 2.0 * start * np.sin(angle / 2.0) ** 2
     y = (far + start) * np.sin(angle)
     return np.stack([x, y], axis=-1)
@@ -158,7 +158,7 @@ def _march(t: ArrayLike, z: Array, touch: Touch) -> Array:
 def _mode(
     touch: Touch, touching: bool, way: float
 ) -> tuple[Callable[[float, Array], list[float]], list[Callable[[Array], float]]]:
-    """The rates of a stage, and what ends it by falling to zero: first of all the contact."""
+    """The rates of a stage, and the guards that end it at zero: first that of the contact."""
     if not touching:
         return lambda _, z: [*touch.rates(z, 0.0, 0.0), 0.0], [lambda z: -touch.overlap(z)]
     if not way:
@@ -179,7 +179,7 @@ def _mode(
 def _choose(
     touch: Touch, z: Array, touching: bool, way: float, first: bool
 ) -> tuple[bool, float, float]:
-    """What follows a stage: whether they touch, which way F points if they slip, and F."""
+    """The next stage: whether there is contact, the sign of F in slip (0 in stick), and F [N]."""
     if touching and first:
         return False, 0.0, 0.0
     if touching and way:

@@ -1,7 +1,7 @@
 """A chain of springs on a base, from its equations of motion: the second route.
 
-Modes are roots of a recurrence along the chain, a wave's reflection two linear equations at the
-jump, and the motion a Taylor series in time, in which no mode is known.
+Modes are roots of a recurrence along the chain. The reflection of a wave follows from two linear
+equations at the change of mass, and the motion from a Taylor series in time, without modes.
 """
 
 from math import asin, sin, sqrt
@@ -11,31 +11,31 @@ from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 
-TERMS, STEP = 40, 1.0  # of the series, over a step of 1/w0
+TERMS, STEP = 40, 1.0  # terms of the series; step times sqrt(K/m)
 
 
 def residual(w: float, N: int, m: float, K: float) -> float:
-    """The residual of the last mass's equation for a wave of w [1/s] that starts at the base.
+    """The residual at the free end of the recurrence from the base at w [1/s]; it is 0 for a mode.
 
-    0: a mode. Over the largest displacement on the way.
+    It is relative to the largest displacement in the chain.
     """
     x = [0.0, 1.0]
     for _ in range(N):
         x.append((2.0 - w * w * m / K) * x[-1] - x[-2])
-    return (x[-1] - x[-2]) / max(map(abs, x))  # a free end: no spring beyond it
+    return (x[-1] - x[-2]) / max(map(abs, x))  # free end: no spring beyond
 
 
 def reflected(q: float, m: float, M: float) -> float:
     """|R|^2 from the equations of the last light and the first heavy mass, solved for R and T."""
     Q = 2.0 * asin(sqrt(M / m) * sin(q / 2.0))
-    light = [np.exp(-1j * q), -np.exp(1j * Q)]  # u_1 by either wave: e^{iq} + R e^{-iq} = T e^{iQ}
-    heavy = [1.0, -1.0]  # u_0 by either wave: 1 + R = T
+    light = [np.exp(-1j * q), -np.exp(1j * Q)]  # u_1 of each wave: e^{iq} + R e^{-iq} = T e^{iQ}
+    heavy = [1.0, -1.0]  # u_0 of each wave: 1 + R = T
     R, _ = np.linalg.solve(np.array([light, heavy]), -np.array([np.exp(1j * q), 1.0]))
     return float(abs(R) ** 2)
 
 
 def motion(t: ArrayLike, thrown: ArrayLike, masses: ArrayLike, K: float) -> tuple[Array, Array]:
-    """Displacements and velocities (k, N) at times (k,) [s], the first 0, by a series in time."""
+    """Displacements and velocities (k, N) at times (k,) [s] from 0 on, by a series in time."""
     times, m = np.asarray(t, float), np.asarray(masses, float)
     u, v = np.zeros_like(m), np.array(thrown, float)
     found = [(u, v)]
@@ -48,7 +48,7 @@ def motion(t: ArrayLike, thrown: ArrayLike, masses: ArrayLike, K: float) -> tupl
 
 
 def _advanced(u: Array, v: Array, m: Array, K: float, h: float) -> tuple[Array, Array]:
-    """After h [s]: u'' = pull u, so that every second derivative follows from the one before."""
+    """u and v after h [s], by a series: u'' is linear in u, which gives all higher derivatives."""
     moved, moving = np.zeros_like(u), np.zeros_like(v)
     even, odd, weight = u, v, 1.0
     for k in range(0, TERMS, 2):
@@ -61,7 +61,7 @@ def _advanced(u: Array, v: Array, m: Array, K: float, h: float) -> tuple[Array, 
 
 
 def _pulled(u: Array, m: Array, K: float) -> Array:
-    """The accelerations by the springs."""
+    """The accelerations (N,) due to the springs."""
     stretch = np.diff(np.concatenate([[0.0], u]))
     force = np.append(stretch[1:], 0.0) - stretch
     return np.asarray(K * force / m)

@@ -1,7 +1,7 @@
-"""A spring and a dashpot without tension, by numerical integration: the second route.
+"""A spring and a dashpot that cannot pull, by numerical integration: the second route.
 
-An explicit Runge-Kutta method of order 8 up to the event at which the force falls to zero;
-parameters are those of `reference_solutions.contact.dashpot`, whose code is not used here.
+An explicit Runge-Kutta method of order 8 is used up to the event at which the force falls to zero.
+Parameters are those of `reference_solutions.contact.dashpot`, whose code is not used here.
 """
 
 import numpy as np

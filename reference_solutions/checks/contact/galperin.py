@@ -1,6 +1,6 @@
-"""Two balls and a wall, collision by collision: the second route to their number and the last time.
+"""The collisions of two balls and a wall in sequence, number and last time: the second route.
 
-Momentum and energy of each collision are conserved as they stand; nothing is unfolded.
+Each collision follows from the conservation of momentum and energy; the path is not unfolded.
 """
 
 from fractions import Fraction
@@ -14,11 +14,11 @@ def collide(
 ) -> tuple[int, Number]:
     """The number of collisions, and the time [s] of the last; masses [kg], lengths [m].
 
-    The light ball rests at x from the wall, the heavy one comes from X with v [m/s]. Exact in
-    fractions. Raises RuntimeError beyond `most` collisions.
+    The light ball is at rest at the distance x from the wall; the heavy one approaches it from X at
+    v [m/s]. The result is exact for fractions. Raises RuntimeError beyond `most` collisions.
     """
     none = v - v
-    u, w, now = none, -v, none  # velocities of the light and of the heavy ball, from the wall
+    u, w, now = none, -v, none  # velocities of the light and the heavy ball, and time
     for found in range(most):
         wall = -x / u if u < 0 else None
         balls = (X - x) / (u - w) if u > w else None

@@ -1,10 +1,10 @@
-"""A sphere held between two walls by friction, by small steps: the second route."""
+"""A sphere held between two walls by friction, by a leapfrog: the second route."""
 
 
 def after(
     t: float, *, m: float, ks: float, mu: float, pressed: float, g: float, steps: int
 ) -> float:
-    """Displacement [m] at time t [s], by a leapfrog: its error falls as steps**-2."""
+    """The upward displacement [m] at the time t [s]; its error falls as steps**-2."""
     z, spring, dt = 0.0, 0.0, t / steps
     speed = -g * dt / 2
     for _ in range(steps):

@@ -1,8 +1,8 @@
 """A sphere that drag brings to rest on a floor, by numerical integration: the second route.
 
-An explicit Runge-Kutta method of order 8 from event to event; parameters are those of
-the first route, whose code is not used here. A flight shorter than a step, a fifth
-of sqrt(m/kn), can be missed.
+An explicit Runge-Kutta method of order 8 is used from event to event. Parameters are those of the
+first route, whose code is not used here. A flight shorter than a step, a fifth of sqrt(m/kn), can
+be missed.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 def settling(
     t: ArrayLike, *, m: float, kn: float, eta: float, g: float, height: float
 ) -> tuple[Array, int]:
-    """Displacement [m] at increasing times t (n,) [s], and the number of bounces."""
+    """The upward displacement [m] at increasing times t (n,) [s], and the number of bounces."""
     from scipy.integrate import solve_ivp
 
     t = np.asarray(t, dtype=np.float64)

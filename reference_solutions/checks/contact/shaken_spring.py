@@ -1,4 +1,4 @@
-"""A mass between a spring and drag, shaken while its spring's other end moves, by integration."""
+"""A damped mass on a spring under sinusoidal drives, by numerical integration: the second route."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ def displacement(
     shaking: Sequence[Sine] = (),
     base: Sequence[Sine] = (),
 ) -> Array:
-    """q [m] at times t >= 0 [s], (n,), in rising order; see the first route."""
+    """The displacement q [m] at rising times t >= 0 (n,) [s]; see the first route."""
     from scipy.integrate import solve_ivp
 
     def rates(now: float, state: Array) -> list[float]:

@@ -1,13 +1,14 @@
 """Second route to T1 to T4 of Li et al. (2018): the equations of motion, integrated numerically.
 
 Nothing is assumed about the sequence of stages. The mode (touching or apart, stuck or slipping)
-follows from the state at the end of the last one, and each end is located on a guard: the overlap
-of a contact without tension, the margin |F| <= mu Fn of the Coulomb cap, the power -F v of sliding
-friction. Parameters are those of the first route, whose code is not used here:
-the mass comes from the hexagon around the disc and dx from integrating T4's first stage.
+follows from the state at the end of the last one, and each end is located as the root of a guard
+function: the overlap of a contact that cannot pull, the margin mu Fn - |F| of Coulomb's limit, the
+power -F v of sliding friction. Parameters are those of the first route, whose code is not used
+here: the mass is that of the hexagon around the disc, and dx follows from integrating T4's first
+stage.
 
-A guard is looked at after every step, so that a slip that lasts less than a step, 0.1/k, can be
-missed: T4's slip is longer below eta = 0.9 (2 m k).
+A guard is evaluated after every step, so that a slip shorter than a step, 0.1/k, can be missed.
+T4's slip is longer below eta = 0.9 (2 m k).
 """
 
 from collections.abc import Callable
@@ -20,13 +21,15 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 
 _RTOL = 3e-14  # the least that solve_ivp accepts is 2.2e-14
-_STEP = 0.1  # largest step times the undamped rate: keeps the interpolant as accurate as the steps
+_STEP = 0.1  # largest step times k, at which the interpolant is as accurate as the steps
 _MOST_MODES = 400
 
 
 class Mode(NamedTuple):
-    """What holds until `guard` falls to zero: the `rate` of the state (displacement, velocity,
-    shear force), and `settle`, which puts the state on the guard exactly.
+    """A mode of the contact, which lasts until `guard` falls to zero.
+
+    rate: that of the state (displacement, velocity, shear force); settle: the state at the end,
+    with the guard exactly zero.
     """
 
     rate: Callable[[float, Array], list[float]]
@@ -72,7 +75,7 @@ def t4(
 
 
 def _mass(rho: float, r: float) -> float:
-    """[kg/m] of the regular hexagon around a disc of radius r."""
+    """The mass [kg/m] of the regular hexagon around a disc of radius r."""
     return rho * 6.0 * r * r * tan(pi / 6.0)
 
 
@@ -123,7 +126,7 @@ def _scale(m: float, stiffness: float, v: float) -> Array:
 
 
 def _march(t: ArrayLike, scale: Array, choose: Callable[[Array], Mode]) -> Array:
-    """The displacement at times t from (0, v, 0), mode after mode."""
+    """The displacement [m] at times t [s] from the state (0, v, 0), mode after mode."""
     from scipy.integrate import solve_ivp
 
     t, now = np.asarray(t, dtype=np.float64), 0.0

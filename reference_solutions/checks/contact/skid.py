@@ -1,8 +1,9 @@
 """A body that skids over a spring, by numerical integration: the second route.
 
-The shear spring is a state of its own, charged by the motion and cut to mu kn times the overlap
-after every short step of an explicit midpoint method, which so finds by itself where it slips;
-parameters are those of `reference_solutions.contact.skid`, whose code is not used here.
+The force of the shear spring is part of the state. It follows the motion and is limited to mu kn
+times the overlap after every step of an explicit midpoint method, so that nothing is assumed about
+where the contact slips. Parameters are those of `reference_solutions.contact.skid`, whose code is
+not used here.
 """
 
 from math import pi, sqrt
@@ -16,7 +17,10 @@ Array = NDArray[np.float64]
 def contact(
     *, m: float, kn: float, ks: float, mu: float, vn: float, vt: float, steps: int
 ) -> tuple[Array, Array]:
-    """Times (steps + 1,) up to pi/w; there (steps + 1, 4) place and velocity, across and along."""
+    """Times (steps + 1,) [s] up to pi/w, and displacement and velocity (steps + 1, 4) at them.
+
+    Columns: normal and tangential displacement [m], normal and tangential velocity [m/s].
+    """
     dt = pi / sqrt(kn / m) / steps
     deep, into, way, along, shear = 0.0, vn, 0.0, vt, 0.0
     rows = [(0.0, 0.0, -vn, vt)]

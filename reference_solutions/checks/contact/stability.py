@@ -1,16 +1,16 @@
-"""The largest stable step of a leapfrog by bisection on the size of its roots: the second route.
+"""The largest stable step of a leapfrog by bisection on its spectral radius: the second route.
 
-The step is a matrix on (x, v dt), whose eigenvalues are taken; nothing is solved by hand.
+The eigenvalues of the matrix of a step on (x, v dt) are found numerically.
 """
 
 import numpy as np
 
 
 def radius(w: float, n: float, lag: float, dt: float) -> float:
-    """The spectral radius of a step; w, n [1/s]; lag: the fraction of drag evaluated at v-."""
+    """The spectral radius of a step; w, n [1/s]; lag: the fraction of the drag due to v-."""
     kept, held = 1.0 - 2.0 * n * dt * lag, 1.0 + 2.0 * n * dt * (1.0 - lag)
     pulled = (w * dt) ** 2
-    pushed, driven = -pulled / held, kept / held  # what x and v- dt make of v+ dt
+    pushed, driven = -pulled / held, kept / held  # v+ dt by x and v- dt
     step = np.array([[pushed + 1.0, driven], [pushed, driven]])
     return float(np.abs(np.linalg.eigvals(step)).max())
 

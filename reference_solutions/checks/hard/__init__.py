@@ -1,1 +1,1 @@
-"""Second routes to the references of the family `hard`."""
+"""Independent second routes to the references of the family `hard`."""

@@ -1,11 +1,12 @@
-"""How a thin arch falls, from its energy: the second route.
+"""The fall of an arch too thin to stand, from its energy: the second route.
 
-Half of a symmetric arch of n voussoirs with straight edges is two bodies. The lower turns about
-the outer edge of the springing, the upper about the inner edge of the joint between them, and at
-the crown its outer edge stays in the plane of symmetry. Of one freedom q, the turn of the lower
-body, all places are known in closed form; energy gives t(q) as an integral (Heyman 1969 names the
-mechanism). Lengths are in mean radii but for `size`. Parameters are those of
-`reference_solutions.hard.falling_arch`, whose code is not used here; a time costs half a second.
+Half of a symmetric arch of n voussoirs with straight edges consists of two bodies. The lower
+rotates about the outer edge of the springing. The upper is hinged to it at the inner edge of the
+joint between them, and its outer edge at the crown stays in the plane of symmetry (the mechanism of
+Heyman 1969). All positions are closed forms of one degree of freedom q, the rotation of the lower
+body, and the conservation of energy gives t(q) as an integral. Lengths except `size` are in mean
+radii. Parameters are those of `reference_solutions.hard.falling_arch`, whose code is not used here.
+Each time takes half a second of computation.
 """
 
 from collections.abc import Sequence
@@ -16,12 +17,12 @@ from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(40)
-_LEAST = 1e-6  # rad; up to there it falls as t^2
+_LEAST = 1e-6  # rad; below it, q grows as t^2
 _X, _W = 0.5 * (_NODES + 1.0), 0.5 * _WEIGHTS
 
 
 def crown_drop(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> Array:
-    """The displacement [m] of the voussoir beside the crown at times t >= 0 [s], (k,)."""
+    """The drop [m] of the voussoir beside the crown at times t >= 0 (k,) [s]."""
     t, rate = np.asarray(t, dtype=np.float64), np.sqrt(g / size)
     joint = _joint(n, thick)
     q = np.array([_turn(float(s) * rate, n, thick, joint) for s in t])
@@ -30,13 +31,13 @@ def crown_drop(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> 
 
 
 def _joint(n: int, thick: float) -> int:
-    """The joint, counted from the springing, at which the arch loses the most height."""
+    """The hinge joint, counted from the springing: that with the largest initial loss of energy."""
     starts = [_drop(_LEAST, n, thick, j) for j in range(1, n // 2)]
     return 1 + int(np.argmax(starts))
 
 
 def _turn(time: float, n: int, thick: float, joint: int) -> float:
-    """The q at which t(q) is a time, in units of sqrt(size/g)."""
+    """The q [rad] at which t(q) = time, in units of sqrt(size/g)."""
     from scipy.optimize import brentq
 
     low, first = _LEAST, _time(_LEAST, n, thick, joint)
@@ -48,7 +49,10 @@ def _turn(time: float, n: int, thick: float, joint: int) -> float:
 
 
 def _time(q: float, n: int, thick: float, joint: int) -> float:
-    """How long a fall to q takes: the integral of sqrt(M/2 dV), whose root at 0 x^2 takes away."""
+    """The time of the fall to q: the integral of sqrt(M/(2 dV)) over q.
+
+    The substitution q x^2 removes the singularity at 0.
+    """
     ways = q * _X**2
     pace = [
         np.sqrt(_inertia(way, n, thick, joint) / (2.0 * _drop(way, n, thick, joint)))
@@ -58,14 +62,14 @@ def _time(q: float, n: int, thick: float, joint: int) -> float:
 
 
 def _drop(q: float, n: int, thick: float, joint: int) -> float:
-    """Potential energy lost, for unit density and g."""
+    """The loss dV of potential energy, for unit density and g."""
     areas = np.array([area for area, _, _ in _voussoirs(n, thick)])
     before, after = (_places(one, n, thick, joint)[:, 1] for one in (0.0, q))
     return float(areas @ (before - after))
 
 
 def _inertia(q: float, n: int, thick: float, joint: int) -> float:
-    """M of the kinetic energy M q'^2/2, for unit density."""
+    """The generalised mass M of the kinetic energy M q'^2/2, for unit density."""
     h = 1e-5
     moved = (_places(q + h, n, thick, joint) - _places(q - h, n, thick, joint)) / (2.0 * h)
     turned = (_turns(q + h, n, thick, joint) - _turns(q - h, n, thick, joint)) / (2.0 * h)
@@ -76,7 +80,7 @@ def _inertia(q: float, n: int, thick: float, joint: int) -> float:
 
 
 def _hinges(n: int, thick: float, joint: int) -> tuple[Array, Array, Array]:
-    """Springing, joint and crown, (2,) each."""
+    """The hinges at the springing, the joint and the crown, (2,) each."""
     inner, outer = 1.0 - 0.5 * thick, 1.0 + 0.5 * thick
     angle = pi * joint / n
     return (
@@ -86,7 +90,7 @@ def _hinges(n: int, thick: float, joint: int) -> tuple[Array, Array, Array]:
 
 
 def _turns(q: float, n: int, thick: float, joint: int) -> Array:
-    """How far (2,) [rad] the lower and the upper body have turned; the arch falls as q falls."""
+    """The rotations (2,) [rad] of the lower and the upper body; the arch falls as q grows."""
     foot, middle, crown = _hinges(n, thick, joint)
     arm, reach = middle - foot, crown - middle
     across = foot[0] + np.cos(q) * arm[0] + np.sin(q) * arm[1]
@@ -95,7 +99,7 @@ def _turns(q: float, n: int, thick: float, joint: int) -> Array:
 
 
 def _places(q: float, n: int, thick: float, joint: int) -> Array:
-    """The centroids (n/2, 2), from the springing to the crown."""
+    """The centroids (n/2, 2) of the voussoirs, from the springing to the crown."""
     foot, middle, _ = _hinges(n, thick, joint)
     lower, upper = (_rotation(turn) for turn in _turns(q, n, thick, joint))
     moved = foot + lower @ (middle - foot)
@@ -110,7 +114,7 @@ def _rotation(angle: float) -> Array:
 
 
 def _voussoirs(n: int, thick: float) -> Sequence[tuple[float, Array, float]]:
-    """Area, centroid (2,) and square of the radius of gyration of half of the voussoirs."""
+    """Area, centroid (2,) and squared radius of gyration of each voussoir of half the arch."""
     opening, inner, outer = pi / n, 1.0 - 0.5 * thick, 1.0 + 0.5 * thick
     a, b = (edge * np.sin(0.5 * opening) for edge in (inner, outer))  # half of the edges
     low, height = inner * np.cos(0.5 * opening), thick * np.cos(0.5 * opening)

@@ -1,7 +1,8 @@
-"""The rod of Painleve's paradox by small steps, with an impulse if no force solves the equations.
+"""The rod of Painleve's paradox by time steps, an impulse and energy: the second route.
 
-Its middle, angle and end are separate unknowns; forces come from the linear equations of motion at
-each instant, the turning after the jam from energy. The second route.
+The accelerations of middle and angle and the normal force follow at each time from the linear
+equations of motion and of the contact. An impulse stops the end where the rod jams; the rotation
+about the resting end follows from energy.
 """
 
 from math import cos, sin, sqrt
@@ -13,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def forces(theta: float, w: float, mu: float, half: float, g: float) -> Array:
-    """x'', z'', theta'' and N/m while the end slides towards -x, from four linear equations."""
+    """x'', z'', theta'' and N/m while the end slides towards -x, by four linear equations."""
     s, c = sin(theta), cos(theta)
     matrix = np.array([
         [1.0, 0.0, 0.0, -mu],
@@ -27,7 +28,7 @@ def forces(theta: float, w: float, mu: float, half: float, g: float) -> Array:
 def slide(
     end: float, steps: int, *, mu: float, theta: float, half: float, V: float, g: float
 ) -> Array:
-    """Displacement (2,) of the middle and the end's velocity after a time [s] of sliding."""
+    """Displacement (2,) [m] of the middle and velocity [m/s] of the end at the time `end` [s]."""
     y = np.array([0.0, 0.0, theta, -V, 0.0, 0.0])
     h = end / steps
 
@@ -44,21 +45,21 @@ def slide(
 
 
 def jam(*, mu: float, theta: float, half: float, V: float) -> tuple[float, float]:
-    """The spin [1/s] after the impulse that stops the end, and the impulse's rise of N [m/s].
+    """The spin [1/s] after the impulse that stops the end, and its normal part over m [m/s].
 
-    The impulse grows along friction's edge until the end stops, then holds it; what turns is found
-    from the impulses across and along the floor that leave the end at rest.
+    The impulse grows on the boundary of the friction cone until the end stops sliding, and then
+    keeps it at rest. Its components along and normal to the floor follow from the end at rest.
     """
     s, c = half * sin(theta), half * cos(theta)
     gain = 3.0 / half**2
-    # velocities of the end per impulse over m: along (x) and up (z), by each component
+    # changes of the velocity of the end (x, z) by the components of an impulse over m
     pull = np.array([[1.0 + gain * s * s, -gain * s * c], [-gain * s * c, 1.0 + gain * c * c]])
     along, up = np.linalg.solve(pull, np.array([V, 0.0]))
     return gain * (s * along - c * up), up
 
 
 def turning_time(theta: float, swing: float, spin: float, half: float, g: float) -> float:
-    """The time [s] to turn from theta by `swing` about the resting end, by energy."""
+    """The time [s] of the rotation from theta by `swing` about the resting end, by energy."""
     from scipy.integrate import quad
 
     def slow(angle: float) -> float:

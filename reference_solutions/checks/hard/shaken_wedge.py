@@ -1,4 +1,4 @@
-"""A wedge under a sine by the balance of all forces, in small steps: the second route."""
+"""A wedge under a sine, by time steps of its equations of motion in space: the second route."""
 
 from math import cos, radians, sin
 
@@ -13,7 +13,7 @@ def slid(
     t: float, *, dip: float, xi: float, mu: float, A: float, f: float, g: float, level: bool,
     steps: int = 100_000,
 ) -> float:  # fmt: skip
-    """s [m] down the groove at the time t [s]; its error falls as steps**-2."""
+    """The displacement s [m] down the groove at the time t [s]; its error falls as steps**-2."""
     dt, s, v = t / steps, 0.0, 0.0
     pushed = A * np.sin(2 * np.pi * f * dt * np.arange(steps + 1))
     down, up = (_drives(pushed, dip, xi, side * mu, g, level) for side in (1.0, -1.0))
@@ -27,9 +27,10 @@ def slid(
 
 
 def _drives(pushed: Array, dip: float, xi: float, mu: float, g: float, level: bool) -> Array:
-    """Acceleration down the groove (k,) [m/s2] under these pushes, friction mu N uphill.
+    """The acceleration down the groove (k,) [m/s2] under forces per mass `pushed`, friction uphill.
 
-    x is level along the groove, y across, z up. Unknowns: it, and the push of either side.
+    x is horizontal along the groove in plan, y across it, z up. The unknowns are the acceleration
+    and the normal forces N of both sides, whose friction is mu N.
     """
     i, h = radians(dip), xi / 2.0
     down, out = np.array([cos(i), 0.0, -sin(i)]), np.array([sin(i), 0.0, cos(i)])

@@ -1,7 +1,8 @@
-"""Two bodies that meet at a point, as a linear system of all velocities: the second route.
+"""Two bodies that collide at a point, by a linear system of all velocities: the second route.
 
-Momentum of both, of all kinds, takes the impulse that ends the approach at the contact;
-parameters are those of `reference_solutions.hard.spin_stopped`, whose code is not used here.
+The equations are the changes of momentum and angular momentum of both bodies by the impulse, and a
+zero normal velocity at the contact after it. Parameters are those of
+`reference_solutions.hard.spin_stopped`, whose code is not used here.
 """
 
 import numpy as np
@@ -13,7 +14,7 @@ Array = NDArray[np.float64]
 def after(
     arms: Array, inertias: Array, n: Array, spins: Array, *, m1: float, m2: float, V: float
 ) -> Array:
-    """All velocities (12,) after: of the first and the second body, then their spins."""
+    """The velocities of the first and the second body and their spins (12,) after the impact."""
     apart = np.concatenate([-n, n, -np.cross(arms[0], n), np.cross(arms[1], n)])
     mass = np.zeros((12, 12))
     mass[:3, :3], mass[3:6, 3:6] = m1 * np.eye(3), m2 * np.eye(3)

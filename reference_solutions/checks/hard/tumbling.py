@@ -1,4 +1,4 @@
-"""A tumbling body by Euler's equations and the rotation they imply: the second route."""
+"""A tumbling body, by integration of Euler's equations and of the rotation: the second route."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,10 +25,10 @@ def flight(t: Array, inertia: Array, axes: Array, w: Array) -> tuple[Array, Arra
 def after(
     mass: float, inertia: Array, arm: Array, n: Array, u: Array, w: Array
 ) -> tuple[Array, Array]:
-    """Velocity and spin (3,) in space after a corner at `arm` stopped along n: all laws at once.
+    """Velocity and spin (3,) in space after the impact that stops a corner at `arm` along n.
 
-    inertia: (3, 3) in space; u, w: velocity and spin before. Unknown are both after, and the
-    impulse: what it gives the centre and the spin, and that the corner does not go on along n.
+    inertia: (3, 3) in space; u, w: velocity and spin before. One linear system gives those after
+    and the impulse: changes of momentum and angular momentum, and a corner at rest along n.
     """
     rows = np.zeros((7, 7))
     rows[:3, :3], rows[:3, 6] = mass * np.eye(3), -n

@@ -1,4 +1,4 @@
-"""A wedge in a groove from the balance of all forces in space: the second route."""
+"""A wedge in a groove, from its equations of motion in space: the second route."""
 
 from math import cos, radians, sin
 
@@ -6,9 +6,10 @@ import numpy as np
 
 
 def acceleration(*, dip: float, xi: float, mu: float, g: float) -> float:
-    """Down the groove [m/s2]; dip [degrees], xi [rad]. Unknowns: it, and the push of either side.
+    """The acceleration down the groove [m/s2]; dip [degrees], xi [rad].
 
-    x is level along the groove, y across, z up; sides push along their normals and rub uphill.
+    x is horizontal along the groove in plan, y across it, z up. The unknowns are the acceleration
+    and the normal forces of both sides, whose friction acts uphill.
     """
     i, h = radians(dip), xi / 2.0
     down = np.array([cos(i), 0.0, -sin(i)])

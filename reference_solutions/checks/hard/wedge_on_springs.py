@@ -1,4 +1,4 @@
-"""A sphere that slides down a groove on springs, by small steps: the second route."""
+"""A sphere that slides down a groove on springs, by a leapfrog: the second route."""
 
 from math import cos, radians, sin
 
@@ -6,7 +6,7 @@ from math import cos, radians, sin
 def after(
     t: float, *, dip: float, xi: float, mu: float, g: float, m: float, ks: float, steps: int
 ) -> float:
-    """Displacement [m] at time t [s], by a leapfrog: its error falls as steps**-2."""
+    """The displacement [m] at the time t [s]; its error falls as steps**-2."""
     i, dt, s, spring = radians(dip), t / steps, 0.0, 0.0
     most = mu * m * g * cos(i) / (2 * sin(xi / 2))
     speed = g * sin(i) * dt / 2
