@@ -1,4 +1,6 @@
-"""Checks parameters of formulas: raises ValueError with the name, the value and the rule."""
+"""Checks of the parameters of formulas: each raises ValueError with the name, the value and the
+rule.
+"""
 
 from math import isfinite
 

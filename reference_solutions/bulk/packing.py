@@ -1,4 +1,4 @@
-"""Frictionless spheres at rest under gravity in a box: what holds for any packing."""
+"""Frictionless spheres at rest under gravity in a box: relations that hold for any packing."""
 
 from __future__ import annotations
 
@@ -6,13 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 CONTACTS = 3.0
-"""Contacts for each sphere, those with walls included, of stiff spheres of unlike sizes.
+"""The number of contacts per sphere, walls included, of stiff spheres of different sizes.
 
-Each sphere rests on others, so that there are three equations of equilibrium for each: fewer forces
-than that cannot satisfy them; more would ask for sizes that fit (Moukarzel 1998; Roux 2000).
+Each sphere has three equations of equilibrium, which fewer forces cannot satisfy. More contacts
+would require special sizes (Moukarzel 1998; Roux 2000).
 """
 
 
 def weight(mass: NDArray[np.float64], g: float) -> float:
-    """The force on the floor [N]: walls without friction push sideways only."""
+    """The force on the floor [N], the total weight: frictionless walls exert horizontal forces
+    only.
+    """
     return float(mass.sum() * g)

@@ -1,1 +1,1 @@
-"""A sphere strikes a wall or another sphere: exact and numerically exact answers."""
+"""Impacts of a sphere on a wall or on another sphere: exact and numerically exact solutions."""

@@ -1,9 +1,9 @@
 """A sphere dropped on a wall: free fall and contacts on a spring and a dashpot, in closed form.
 
-m u'' = m g - max(0, kn u + c u') while the overlap u [m] is there, c = 2 z sqrt(kn m). Contact
-ends where its force would pull; with `pulls` it goes on to the end of the overlap, as in many
-codes. Heights [m] are those of the lowest point over the wall. All raise ValueError for parameters
-outside their ranges.
+While there is an overlap u [m], m u'' = m g - max(0, kn u + c u') with c = 2 z sqrt(kn m). A
+contact ends where its force would become tensile; with `pulls` it lasts until the overlap is zero,
+as in many codes. Heights [m] are those of the lowest point of the sphere over the wall. All
+functions raise ValueError for parameters outside their ranges.
 """
 
 from math import cos, exp, inf, pi, sin, sqrt
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 class Piece(NamedTuple):
-    """A flight or a contact: when it begins [s], height [m] and velocity upwards [m/s] there."""
+    """A flight or a contact: its start [s], and the height [m] and upward velocity [m/s] then."""
 
     since: float
     height: float
@@ -27,7 +27,7 @@ class Piece(NamedTuple):
 
 
 class Drop(NamedTuple):
-    """m [kg], kn [N/m], z, g [m/s2], whether contact pulls."""
+    """m [kg], kn [N/m], z, g [m/s2], and whether the contact force may become tensile."""
 
     m: float
     kn: float
@@ -36,9 +36,9 @@ class Drop(NamedTuple):
     pulls: bool = False
 
     def contact(self, t: float, speed: float) -> tuple[float, float]:
-        """Height and velocity in a contact that began at this velocity, t [s] later."""
+        """The height and velocity at t [s] after a contact began with this velocity."""
         w = sqrt(self.kn / self.m)
-        sunk, wd = self.g / w**2, w * sqrt(1.0 - self.z**2)  # measured from where it would rest
+        sunk, wd = self.g / w**2, w * sqrt(1.0 - self.z**2)  # origin at equilibrium
         a, b = sunk, (speed + self.z * w * sunk) / wd
         fade = exp(-self.z * w * t)
         swing = fade * (a * cos(wd * t) + b * sin(wd * t))
@@ -46,11 +46,11 @@ class Drop(NamedTuple):
         return swing - sunk, turned - self.z * w * swing
 
     def flight(self, t: float, height: float, speed: float) -> tuple[float, float]:
-        """Height and velocity in a flight from this height and velocity."""
+        """The height and velocity at t [s] after a flight began at this height and velocity."""
         return height + speed * t - 0.5 * self.g * t * t, speed - self.g * t
 
     def lasting(self, speed: float) -> float:
-        """How long a contact lasts [s] that begins at this velocity; inf if it never ends."""
+        """The duration [s] of a contact that begins at this velocity; inf if it never ends."""
         from scipy.optimize import brentq
 
         def push(t: float) -> float:
@@ -69,11 +69,11 @@ class Drop(NamedTuple):
 
     @property
     def viscous(self) -> float:
-        """c [N s/m]."""
+        """The coefficient of damping c [N s/m]."""
         return 2.0 * self.z * sqrt(self.kn * self.m)
 
     def pieces(self, height: float, bounces: int) -> list[Piece]:
-        """Flight from a height at rest, and so many contacts and flights after it.
+        """The flight from rest at a height, and the given number of contacts and flights after it.
 
         Raises ValueError if a contact never ends.
         """

@@ -1,8 +1,8 @@
-"""Two elastic bodies strike each other along their normal without friction (Hertz 1882).
+"""The normal impact of two elastic bodies without friction (Hertz 1882).
 
-The force is K U^(3/2) of the overlap U [m], with K = 4/3 E sqrt(R) [N/m^1.5], E [Pa] the effective
+The force is K U^(3/2) at the overlap U [m], with K = 4/3 E sqrt(R) [N/m^1.5], E [Pa] the effective
 modulus and R [m] the effective radius. m [kg] is the reduced mass and v [m/s] the speed of
-approach; contact begins at t = 0. Every function raises ValueError for parameters outside their
+approach; the contact begins at t = 0. Every function raises ValueError for parameters outside their
 ranges.
 """
 
@@ -18,12 +18,18 @@ BETA = gamma(0.4) * gamma(0.5) / gamma(0.9)  # B(2/5, 1/2)
 
 
 def effective_modulus(young: float, poisson: float) -> float:
-    """E [Pa] of a body on a rigid one: 1/E = (1 - nu^2)/Young's modulus, of two the sum of both."""
+    """E [Pa] of a body in contact with a rigid one, 1/E = (1 - nu^2)/Young's modulus.
+
+    For two elastic bodies, 1/E is the sum of both.
+    """
     return young / (1.0 - poisson**2)
 
 
 def effective_shear_modulus(young: float, poisson: float) -> float:
-    """G [Pa] of a body on a rigid one: 1/G = (2 - nu)/shear modulus, of two the sum of both."""
+    """G [Pa] of a body in contact with a rigid one, 1/G = (2 - nu)/shear modulus.
+
+    For two elastic bodies, 1/G is the sum of both.
+    """
     return young / (2.0 * (1.0 + poisson) * (2.0 - poisson))
 
 
@@ -34,31 +40,32 @@ def normal_factor(*, modulus: float, radius: float) -> float:
 
 
 def shear_factor(*, modulus: float, radius: float) -> float:
-    """T [N/m^1.5] of Mindlin's stiffness without slip T sqrt(U), from the effective shear modulus
-    [Pa] and the effective radius [m] (Mindlin 1949).
+    """T [N/m^1.5] of Mindlin's stiffness without slip, T sqrt(U) (Mindlin 1949).
+
+    modulus: effective shear modulus [Pa]; radius: effective radius [m].
     """
     require_positive("in SI units", modulus=modulus, radius=radius)
     return 8.0 * modulus * sqrt(radius)
 
 
 def deepest(*, m: float, K: float, v: float) -> float:
-    """Largest overlap [m]: 2/5 K U^(5/2) is the initial energy m v^2/2."""
+    """The largest overlap U [m], at which 2/5 K U^(5/2) equals the initial energy m v^2/2."""
     require_positive("in SI units", m=m, K=K, v=v)
     return float((1.25 * m * v**2 / K) ** 0.4)
 
 
 def largest_force(*, m: float, K: float, v: float) -> float:
-    """Force [N] at the largest overlap."""
+    """The force [N] at the largest overlap."""
     return float(K * deepest(m=m, K=K, v=v) ** 1.5)
 
 
 def contact_time(*, m: float, K: float, v: float) -> float:
-    """Duration [s] of the contact, 4/5 B(2/5, 1/2) = 2.943 times U_max/v."""
+    """The duration [s] of the contact, 4/5 B(2/5, 1/2) = 2.943 times U_max/v."""
     return 0.8 * BETA * deepest(m=m, K=K, v=v) / v
 
 
 def overlap(t: ArrayLike, *, m: float, K: float, v: float) -> Array:
-    """The overlap [m] at times t >= 0 [s] of any shape; negative once they are apart.
+    """The overlap [m] at times t >= 0 [s] of any shape; it is negative after separation.
 
     t = U_max/v 2/5 B(x; 2/5, 1/2), the incomplete beta function of x = (U/U_max)^(5/2).
     """

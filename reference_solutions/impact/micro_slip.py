@@ -1,17 +1,20 @@
-"""A sphere strikes a wall or another sphere at an angle, and their contact slips in part.
+"""An oblique impact of a sphere on a wall or another sphere, with partial slip in the contact.
 
-Normal force, motion and arms are those of `reference_solutions.impact.rebound` for elastic spheres
-without losses. Across the normal, the place x of a line through the contact, d = x^2/R deep, is
-stretched by what has slid since the overlap U was d, up to h (U - d), where it slips, with
-h = 3 mu K/(2 S); T is -S times the integral of the stretch over sqrt(d) from 0 to sqrt(U) (Popov
-and Hess 2015; Jaeger 1993). For one loading this is Cattaneo's (1938) and Mindlin's (1949)
-annulus, and what Mindlin and Deresiewicz (1953) have for other paths.
+The normal force, the equations of motion and the lever arms are those of
+`reference_solutions.impact.rebound` for elastic spheres without losses. The tangential force T
+follows from the method of dimensionality reduction: a point at x on a line through the contact, at
+the depth d = x^2/R, touches as the overlap U exceeds d. Its spring is stretched by the relative
+tangential displacement (slide) since then, at most by h (U - d), at which it slips, with h = 3 mu
+K/(2 S). T is -S times the integral of the stretch over sqrt(d) from 0 to sqrt(U) (Popov and Hess
+2015; Jaeger 1993). For a single loading this agrees with the annulus of slip of Cattaneo (1938) and
+Mindlin (1949), for other paths with Mindlin and Deresiewicz (1953).
 
-All places that slip in one direction stick at once, as soon as slip falls below h U'; places that
-stick begin to slip from the edge inwards. So the contact is at any time stuck as a whole (it
-grows), slipping as a whole, or slipping outside of one place and stuck inside, where its state is
-that at which this place was last the edge, or slipped. Between such changes the equations are
-solved by an explicit method of order 8, and T, unless all sticks, by that memory, in closed form.
+All points that slip in one direction stick at the same instant, when the rate of slide falls below
+h U'; points that stick begin to slip from the edge inwards. At any time the contact therefore
+sticks as a whole (while it grows), slips as a whole, or slips outside of one point and sticks
+inside of it. The inner part has the state at which this point was last at the edge of the contact,
+or slipped. Between such changes the equations are integrated by an explicit method of order 8. T
+follows in closed form from the states stored, unless the whole contact sticks.
 """
 
 from collections.abc import Callable
@@ -26,13 +29,16 @@ from reference_solutions.impact.rebound import MOST, RELATIVE, WALL, After, Impa
 
 Array = NDArray[np.float64]
 Inner = tuple[float, float, float]
-"""sqrt(d) of the innermost place that slips, the slide when it was the edge, and T inside then."""
-NEAR = 1e-9  # of a duration: accuracy of that time; the error of T is its square
-STEPS = 50  # least number of steps while an overlap grows and falls
+"""sqrt(d) of the innermost point that slips, and the slide and T when it was the edge."""
+NEAR = 1e-9  # accuracy of stored times over the duration; the error of T is its square
+STEPS = 50  # least number of steps in the loading and unloading of a contact
 
 
 class Slipped(NamedTuple):
-    """A part that slipped with a sign from sqrt(d) = start on, and stuck at this U, slide and T."""
+    """A part that slipped outside of sqrt(d) = start until it stuck at this U, slide and T.
+
+    sign: the direction of that slip.
+    """
 
     sign: float
     start: float
@@ -42,7 +48,7 @@ class Slipped(NamedTuple):
 
 
 class Grown(NamedTuple):
-    """A part that stuck as the contact grew: state and its rate over time, from begin to end."""
+    """A part that stuck while the contact grew: states and rates between `begin` and `end` [s]."""
 
     begin: float
     end: float
@@ -60,9 +66,10 @@ def rebound(
     partner: Sphere = WALL,
     partner_spin: float = 0.0,
 ) -> After:
-    """The result of an impact; parameters as for `reference_solutions.impact.rebound.rebound`.
+    """The state after an impact; parameters as for `reference_solutions.impact.rebound.rebound`.
 
-    Raises ValueError for a law that is not elastic and by Hertz, RuntimeError if integration fails.
+    Raises ValueError for a law other than Hertz without losses, RuntimeError if the integration
+    fails.
     """
     if law.p != 1.5 or law.z or law.h or not law.S or not law.mu:
         raise ValueError(f"{law}; micro-slip is known for Hertz with p = 1.5, S and mu, z = h = 0")
@@ -81,7 +88,11 @@ def rebound(
 
 
 class _Contact:
-    """States (8,): displacement, velocity, spins, T, slide. parts: what sticks, innermost first."""
+    """The equations of a contact with partial slip; states (8,): displacement, velocity, spins, T,
+    slide.
+
+    parts: the parts that stick, innermost first.
+    """
 
     def __init__(self, law: Law, sphere: Sphere, partner: Sphere, vn: float) -> None:
         self.law, self.impact = law, Impact(law, sphere, partner, vn)
@@ -92,7 +103,7 @@ class _Contact:
         self.sizes = np.array([*sizes, self.h * sizes[0]])
 
     def rate_of_slide(self, y: Array) -> float:
-        """s [m/s]."""
+        """The rate of slide s [m/s]."""
         return self.impact.slip(y)
 
     def growth(self, y: Array) -> float:
@@ -104,7 +115,9 @@ class _Contact:
         return max(self.impact.frame(y)[2], 0.0)
 
     def inner(self, t: float, y: Array, sign: float) -> Inner:
-        """Where slip of a sign ends."""
+        """sqrt(d) of the innermost point that slips in this direction, and the slide and T stored
+        there.
+        """
         overlap = self.overlap(y)
         if not self.parts:
             return 0.0, 0.0, 0.0
@@ -118,15 +131,15 @@ class _Contact:
         return sqrt(self.overlap(old)), float(old[7]), float(old[6])
 
     def moment(self, part: Grown, wanted: float, t: float, sign: float) -> float:
-        """When, as the contact grew, sign times the slide less h U was `wanted`; Newton's method.
+        """The time in the growth of a part at which sign times slide less h U was `wanted`.
 
-        It begins as long before the end of the growth as t is past it.
+        Newton's method starts as long before the end of the growth as t is after it.
         """
         low, high = part.begin, part.end
         time = max(high - max(t - high, NEAR * self.longest), low)
         for _ in range(80):
             y = part.state(time)
-            off = sign * y[7] - self.h * self.overlap(y) - wanted  # falls with time
+            off = sign * y[7] - self.h * self.overlap(y) - wanted  # decreases with time
             rate = sign * self.rate_of_slide(y) - self.growth(y)
             low, high = (time, high) if off > 0.0 else (low, time)
             new = time - off / rate if rate < 0.0 else low - 1.0
@@ -138,14 +151,14 @@ class _Contact:
         return float(time)
 
     def force(self, t: float, y: Array, sign: float) -> float:
-        """T where the contact slips with a sign, in part or as a whole."""
+        """T of a contact that slips in the direction `sign`, in part or as a whole."""
         overlap = self.overlap(y)
         edge, slide, within = self.inner(t, y, sign)
         outside = sign * self.h * full(edge, sqrt(overlap), overlap)
         return float(within - self.law.S * (edge * (float(y[7]) - slide) + outside))
 
     def rates(self, t: float, y: Array, mode: float) -> Array:
-        """y'; mode: the sign of slip, 0 if all sticks."""
+        """The derivative y'; mode: the sign of slip, 0 if the whole contact sticks."""
         whole = y.copy()
         whole[6] = self.force(t, y, mode) if mode else y[6]
         slope, slide = self.impact.slope(whole[:7], 0.0), self.rate_of_slide(y)
@@ -153,7 +166,7 @@ class _Contact:
         return np.array([*slope[:6], charging, slide])
 
     def next_change(self, time: float, y: Array, mode: float) -> tuple[float, Array, str]:
-        """Time, state and name of the next change; what stuck as the contact grew is kept."""
+        """Time, state and name of the next change; what stuck while the contact grew is stored."""
         from scipy.integrate import solve_ivp
 
         def apart(t: float, y: Array) -> float:
@@ -185,7 +198,7 @@ class _Contact:
         return end, state, name
 
     def left(self, t: float, y: Array, sign: float) -> float:
-        """How much of the outermost part that sticks is left, negative once slip is through it."""
+        """The slide [m] left until all of the outermost stuck part slips; negative after that."""
         part, overlap = self.parts[-1], self.overlap(y)
         if isinstance(part, Slipped):
             deep = self.h * (part.overlap + overlap - 2.0 * part.start**2)
@@ -195,7 +208,7 @@ class _Contact:
         return float(past - sign * (y[7] - old[7]))
 
     def after(self, event: str, y: Array, mode: float) -> float:
-        """The next mode of the contact."""
+        """The mode of the contact after a change."""
         if event == "through":
             self.parts.pop()
             if self.parts and isinstance(last := self.parts[-1], Slipped) and last.sign == mode:

@@ -1,10 +1,11 @@
-"""Two spheres one over the other, pressed between two walls: two unknowns on linear springs.
+"""Two spheres one above the other, pressed between two walls: two unknowns on linear springs.
 
-m1 y1'' = k (R - y1) - k (2 R - (y2 - y1)) - m1 g
-m2 y2'' = k (2 R - (y2 - y1)) - k (R - (H - y2)) - m2 g
+    m1 y1'' = k (R - y1) - k (2 R - (y2 - y1)) - m1 g
+    m2 y2'' = k (2 R - (y2 - y1)) - k (R - (H - y2)) - m2 g
 
-Heights y [m] of the centres over the lower wall; R the radius of both, H how far the walls are
-apart [m]. The answer, by the two modes, holds while all three contacts are pressed.
+y [m] are the heights of the centres over the lower wall, R [m] is the radius of both spheres and H
+[m] the distance of the walls. The solution, in terms of both modes, holds while all three contacts
+are under pressure.
 """
 
 import numpy as np

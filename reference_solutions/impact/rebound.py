@@ -1,15 +1,17 @@
-"""A sphere strikes a wall or another sphere at an angle, with Coulomb friction, in a plane.
+"""An oblique impact of a sphere on a wall or another sphere, with Coulomb friction, in a plane.
 
-Forces, with the overlap U [m] and exponent p (1: linear springs, 3/2: Hertz and Mindlin):
-- normal Fn = max(0, K U^p + D U^((p - 1)/2) U'), which never pulls; contact ends where it is zero;
-- tangential T' = -S U^(p - 1) s, the stiffness without slip, by increments; |T| <= mu Fn, with the
-  whole of Fn; s is the slip where the bodies touch, in the middle of the overlap, so that arms are
-  R - U/2.
-Codes differ in some of these, which `Law` therefore has as numbers: the arms of slip, R - a U, and
-of torque, R - b U, and whether a spring of the current stiffness holds all of the slip: T is then
--S U^(p - 1) times the integral of s. The equations are solved in Cartesian coordinates by an
-explicit method of order 8 between events, at which the contact begins or ends to slip. There is no
-closed form, but for a sphere that slips throughout: vt falls by mu (1 + e) vn.
+The forces, with the overlap U [m] and the exponent p (1: linear springs, 3/2: Hertz and Mindlin):
+
+- normal: Fn = max(0, K U^p + D U^((p - 1)/2) U'), never tensile; the contact ends where Fn = 0;
+- tangential: T' = -S U^(p - 1) s, the stiffness without slip, in increments, and |T| <= mu Fn with
+  the whole of Fn. The rate of slip s is taken at the middle of the overlap, where the bodies touch,
+  so that the lever arms are R - U/2.
+
+Codes differ in some of these, for which `Law` has parameters: the lever arm of slip, R - a U, that
+of the torque, R - b U, and whether a spring of the current stiffness holds the whole slip, in which
+case T is -S U^(p - 1) times the integral of s. The equations are integrated in Cartesian
+coordinates by an explicit method of order 8 between events, at which slip begins or ends. There is
+no closed form except for a sphere that slips throughout: its vt decreases by mu (1 + e) vn.
 """
 
 from collections.abc import Sequence
@@ -22,16 +24,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-RELATIVE = 3e-14  # tolerance of a step: 100 roundings
-MOST = 20  # changes between slip and no slip; more is a failure
+RELATIVE = 3e-14  # relative tolerance of a step, about 100 rounding errors
+MOST = 20  # changes between stick and slip; more of them count as a failure
 
 
 @dataclass(frozen=True)
 class Law:
     """K, S [N/m^p], friction mu, exponent p, and z of D = 2 z sqrt(m p K), m the reduced mass.
 
-    a, b: arms of slip and of torque are R - a U and R - b U. h: T' has h (p - 1) T U'/U beside the
-    increments: 0 for increments alone, 1 for a spring of the current stiffness.
+    a, b: the lever arms of slip and of torque are R - a U and R - b U. h: T' has the term h (p - 1)
+    T U'/U besides the increments; h = 0 for increments alone, 1 for a spring of the current
+    stiffness.
     """
 
     K: float
@@ -54,14 +57,14 @@ class Law:
 
 @dataclass(frozen=True)
 class Sphere:
-    """Radius [m] and mass [kg]; as a partner, a wall is a sphere without end. Inertia 2/5 m R^2."""
+    """Radius [m] and mass [kg]; inertia 2/5 m R^2. A wall is a partner of infinite radius."""
 
     radius: float
     mass: float
 
     @property
     def is_wall(self) -> bool:
-        """Whether it is a wall."""
+        """Whether the radius is infinite."""
         return self.radius == inf
 
 
@@ -69,11 +72,11 @@ WALL = Sphere(inf, inf)
 
 
 class After(NamedTuple):
-    """Velocities after an impact, how long it took, and when the bodies no longer overlap [s].
+    """The velocities after an impact, its duration, and the time at which the overlap ends [s].
 
-    normal, tangential: of the sphere against its partner [m/s], along the line of centres as it
-    was at first, positive away from the partner, and across it; spin, partner_spin [1/s]. A
-    viscous contact ends while the bodies overlap; they then go on as they are.
+    normal, tangential: the velocity of the sphere relative to its partner [m/s], along the initial
+    line of centres, positive away from the partner, and across it; spin, partner_spin [1/s]. A
+    viscous contact ends while the bodies still overlap; they then separate at constant velocity.
     """
 
     normal: float
@@ -95,9 +98,9 @@ def rebound(
     partner: Sphere = WALL,
     partner_spin: float = 0.0,
 ) -> After:
-    """What an impact with the speed vn towards the partner and vt across it [m/s] ends with.
+    """The state after an impact with the speed vn towards the partner and vt across it [m/s].
 
-    A spin is positive from the normal, which points to the sphere, to the tangent. Raises
+    Spins are positive from the normal, which points to the sphere, to the tangent. Raises
     ValueError unless vn is positive, RuntimeError if the integration fails.
     """
     if not 0.0 < vn < inf:
@@ -118,7 +121,7 @@ def rebound(
 class Impact:
     """The equations of two bodies in contact; states (7,): displacement, velocity, spins, T.
 
-    They are written for single numbers: arrays of two take several times as long.
+    They are written in scalars, since arrays of two elements take several times as long.
     """
 
     def __init__(self, law: Law, sphere: Sphere, partner: Sphere, vn: float) -> None:
@@ -137,7 +140,7 @@ class Impact:
     def frame(self, y: Sequence[float] | Array) -> tuple[float, float, float]:
         """The normal (c, s), to which (-s, c) is the tangent, and the overlap.
 
-        This is taken from displacements without cancellation.
+        The overlap is computed from the displacements without cancellation.
         """
         if self.is_wall:
             return 1.0, 0.0, -float(y[0])
@@ -147,39 +150,39 @@ class Impact:
         return (gap + along) / distance, across / distance, overlap
 
     def closing(self, y: Sequence[float] | Array) -> tuple[float, float]:
-        """The overlap, and how fast it grows along the normal."""
+        """The overlap, and its rate along the normal."""
         c, s, overlap = self.frame(y)
         return overlap, -(c * float(y[2]) + s * float(y[3]))
 
     def clearing(self, y: Array) -> float:
-        """How long bodies whose contact has ended still overlap [s]."""
+        """The time [s] for which the bodies still overlap after their contact has ended."""
         place, speed = y[:2], y[2:4]
         if self.partner.is_wall:
             return float(-place[0] / speed[0])
-        beyond = float(2.0 * self.gap * place[0] + place @ place)  # of the squared distance
+        beyond = float(2.0 * self.gap * place[0] + place @ place)  # excess of the squared distance
         rate = float(self.gap * speed[0] + place @ speed)
         return -beyond / (rate + sqrt(max(rate**2 - float(speed @ speed) * beyond, 0.0)))
 
     def push(self, overlap: float, closing: float) -> float:
-        """Fn, without the limit at zero."""
+        """The normal force Fn without the limit at zero."""
         law, deep = self.law, max(overlap, 0.0)
         return float(law.K * deep**law.p + self.damping * deep ** (0.5 * law.p - 0.5) * closing)
 
     def arms(self, part: float, overlap: float) -> tuple[float, float]:
-        """The radii [m] less a part of the overlap; 0 for a wall."""
+        """The lever arms [m], each a radius less a fraction `part` of the overlap; 0 for a wall."""
         short = part * overlap
         second = 0.0 if self.is_wall else self.partner.radius - short
         return self.sphere.radius - short, second
 
     def slip(self, y: Sequence[float] | Array) -> float:
-        """s [m/s]."""
+        """The rate of slip s [m/s]."""
         c, s, overlap = self.frame(y)
         first, second = self.arms(self.law.a, overlap)
         across = c * float(y[3]) - s * float(y[2])
         return across - first * float(y[4]) - second * float(y[5])
 
     def slope(self, y: Array, slips: float) -> Array:
-        """y'; slips: the sign of T where the contact slips, else 0."""
+        """The derivative y'; slips: the sign of T where the contact slips, else 0."""
         now = y.tolist()
         c, s, overlap = self.frame(now)
         push = max(self.push(overlap, -(c * now[2] + s * now[3])), 0.0)
@@ -196,7 +199,7 @@ class Impact:
         ])  # fmt: skip
 
     def charging(self, y: Sequence[float] | Array, force: float) -> float:
-        """T' without slip, where T is `force`."""
+        """The rate T' without slip at the tangential force `force`."""
         overlap, closing = self.closing(y)
         rate = -float(self.law.S * max(overlap, 0.0) ** (self.law.p - 1.0)) * self.slip(y)
         if self.law.h and overlap > 0.0:
@@ -204,7 +207,7 @@ class Impact:
         return rate
 
     def slips_first(self, y: Array) -> float:
-        """The sign of T if the contact slips from the start: all forces grow as t^p then."""
+        """The sign of T if the contact slips from the start, where forces grow as t^p; else 0."""
         law, slip = self.law, self.slip(y)
         growth = law.p - law.h * (law.p - 1.0)  # T' of T = S v^(p - 1) s t^p/growth
         cap = growth * law.mu * law.K * -float(y[2])
@@ -212,7 +215,9 @@ class Impact:
         return -copysign(1.0, slip) if slips else 0.0
 
     def until_change(self, time: float, y: Array, slips: float) -> tuple[float, Array, bool]:
-        """Time and state where the contact ends, or begins or ends to slip; whether it ended."""
+        """The time and state where the contact ends, or slip begins or ends; whether the contact
+        ended.
+        """
 
         from scipy.integrate import solve_ivp
 
@@ -240,11 +245,11 @@ class Impact:
         return float(found.t[-1]), state, bool(len(found.t_events[0]))
 
     def reserve(self, y: Array) -> float:
-        """mu Fn - |T|."""
+        """The margin against slip, mu Fn - |T| [N]."""
         return self.law.mu * self.push(*self.closing(y)) - abs(float(y[6]))
 
     def exceeding(self, y: Array, slips: float) -> float:
-        """By how much faster |T| would grow without slip than its limit, [N/s]."""
+        """The rate of |T| without slip less that of its limit mu Fn [N/s]."""
         c, s, overlap = self.frame(y)
         law, deep = self.law, max(overlap, 1e-300)
         closing = -(c * float(y[2]) + s * float(y[3]))

@@ -1,6 +1,6 @@
-"""A sphere sinks in a fluid whose drag is that of Schiller and Naumann (1933), by quadrature.
+"""A sphere that sinks in a fluid with the drag of Schiller and Naumann (1933), by quadrature.
 
-v' = a (1 - b) - v (1 + 0.15 (k v)^0.687)/s for the speed v downwards, with s = rho d^2/(18 mu), k =
+v' = a (1 - b) - v (1 + 0.15 (k v)^0.687)/s for the downward speed v, with s = rho d^2/(18 mu), k =
 rho_f d/mu and b = rho_f/rho. With v = w + (v0 - w) exp(-x), w the terminal speed, time and depth
 are integrals over x of functions that are smooth for all x.
 """
@@ -14,12 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
-NODES, WIDTH = 16, 0.125  # of each panel in x
+NODES, WIDTH = 16, 0.125  # Gauss points and width of each panel in x
 POWER, FACTOR = 0.687, 0.15
 
 
 class Sinking(NamedTuple):
-    """Diameter [m], density [kg/m3], those of the fluid and its viscosity [Pa s], gravity, v0."""
+    """Diameter [m], density [kg/m3], density and viscosity [Pa s] of the fluid, gravity, v0."""
 
     d: float
     rho: float
@@ -30,11 +30,11 @@ class Sinking(NamedTuple):
 
     @property
     def time(self) -> float:
-        """s [s], in which drag at low speed would stop it."""
+        """The relaxation time s [s] of drag at low speed."""
         return self.rho * self.d**2 / (18.0 * self.mu)
 
     def rate(self, v: ArrayLike) -> Array:
-        """v' [m/s2]."""
+        """The acceleration v' [m/s2]."""
         speed = np.asarray(v, dtype=np.float64)
         reynolds = self.rho_f * self.d * speed / self.mu
         slowed = speed * (1.0 + FACTOR * reynolds**POWER) / self.time
@@ -42,13 +42,13 @@ class Sinking(NamedTuple):
 
     @property
     def quickest(self) -> float:
-        """1/s, the largest rate at which two close speeds converge: -dv'/dv."""
+        """The largest rate -dv'/dv [1/s] at which two neighbouring speeds converge."""
         reynolds = self.rho_f * self.d * max(self.v0, self.last) / self.mu
         return float((1.0 + (1.0 + POWER) * FACTOR * reynolds**POWER) / self.time)
 
     @property
     def last(self) -> float:
-        """w [m/s]."""
+        """The terminal speed w [m/s]."""
         from scipy.optimize import brentq
 
         most = self.g * self.time
@@ -58,7 +58,7 @@ class Sinking(NamedTuple):
 def motion(t: ArrayLike, sinking: Sinking) -> tuple[Array, Array]:
     """Depth [m] and speed [m/s] at times t >= 0 [s] of any shape.
 
-    Raises ValueError for parameters that are not positive, or a fluid that is not lighter.
+    Raises ValueError for parameters that are not positive, or a fluid not lighter than the sphere.
     """
     require_positive("in SI units", **sinking._asdict())
     if sinking.rho_f >= sinking.rho:
@@ -70,7 +70,7 @@ def motion(t: ArrayLike, sinking: Sinking) -> tuple[Array, Array]:
     panel = np.clip(np.searchsorted(ends, times, side="right") - 1, 0, len(ends) - 2)
     x = panel * WIDTH + WIDTH * (times - ends[panel]) / np.diff(ends)[panel]
     start = np.asarray(panel * WIDTH, dtype=np.float64)
-    for _ in range(50):  # Newton's method for x(t); time rises with x
+    for _ in range(50):  # Newton's method for x(t); time increases with x
         late, deep = _between(start, x, sinking, w, lead)
         step = (ends[panel] + late - times) / _slope(x, sinking, w, lead)[0]
         x = x - step
@@ -81,7 +81,7 @@ def motion(t: ArrayLike, sinking: Sinking) -> tuple[Array, Array]:
 
 
 def _slope(x: Array, sinking: Sinking, w: float, lead: float) -> Array:
-    """dt/dx = (w - v)/v' and d(depth)/dx (2, ...), without cancellation as v nears w."""
+    """dt/dx = (w - v)/v' and d(depth)/dx (2, ...), without cancellation where v is close to w."""
     ahead = lead * np.exp(-x)
     steep = (POWER + 1.0) / w * np.ones_like(ahead)
     grown = np.expm1((POWER + 1.0) * np.log1p(ahead / w))
@@ -92,7 +92,7 @@ def _slope(x: Array, sinking: Sinking, w: float, lead: float) -> Array:
 
 
 def _between(start: Array, end: Array, sinking: Sinking, w: float, lead: float) -> Array:
-    """Time and depth (2, ...) from one x to another."""
+    """The increments of time and depth (2, ...) between two values of x."""
     nodes, weights = legendre.leggauss(NODES)
     half = 0.5 * (end - start)
     at = (0.5 * (end + start))[..., None] + half[..., None] * nodes
@@ -100,7 +100,7 @@ def _between(start: Array, end: Array, sinking: Sinking, w: float, lead: float) 
 
 
 def _table(sinking: Sinking, w: float, lead: float, until: float) -> tuple[Array, Array]:
-    """Time and depth (n,) at the ends of panels, until a time."""
+    """Time and depth (n,) at the ends of the panels that cover the times up to `until` [s]."""
     count = 8
     while True:
         edges: Array = WIDTH * np.arange(count + 1, dtype=np.float64)

@@ -1,12 +1,13 @@
-"""A sphere set down sliding on a level wall: it slips until it rolls, on a shear spring.
+"""A sphere set down sliding on a level wall slips until it rolls, on a shear spring.
 
-The normal force is m g throughout. With the slip s, the arm a and q = 1 + m a^2/I:
+The normal force is m g throughout. With the rate of slip s, the lever arm a and q = 1 + m a^2/I:
 
     s' = q T/m, m v' = T, T' = -ks s until |T| = mu m g
 
-It charges the spring, T = -ks v0/w sin(w t) with w^2 = q ks/m, slips, s' = -q mu g, and then sticks
-and oscillates about rolling: T = -mu m g cos(w t). On rigid contact (ks without end) it slips up to
-v0/(q mu g), 2/7 v0/(mu g) of a solid sphere, and rolls at (1 - 1/q) v0, 5/7 of it.
+The sphere first loads the spring, T = -ks v0/w sin(w t) with w^2 = q ks/m. Then it slips, s' = -q
+mu g, and finally it sticks and oscillates about rolling, T = -mu m g cos(w t). In rigid contact
+(infinite ks) it slips until v0/(q mu g), which is 2/7 v0/(mu g) for a solid sphere, and rolls at (1
+- 1/q) v0, which is 5/7 v0.
 """
 
 from math import asin, cos, sin, sqrt
@@ -31,7 +32,9 @@ class Sliding(NamedTuple):
     q: float = 3.5
 
     def checked(self) -> "Sliding":
-        """Itself; raises ValueError if it would never slip, or for other impossible parameters."""
+        """The parameters themselves; raises ValueError if they are impossible or the sphere never
+        slips.
+        """
         require_positive("in SI units", **self._asdict())
         if not self.most < 1.0:
             raise ValueError(f"mu = {self.mu}; the spring holds the sphere, which never slips")
@@ -39,27 +42,27 @@ class Sliding(NamedTuple):
 
     @property
     def w(self) -> float:
-        """The frequency of the oscillation on the shear spring [1/s]."""
+        """The angular frequency of the oscillation on the shear spring [1/s]."""
         return sqrt(self.q * self.ks / self.m)
 
     @property
     def most(self) -> float:
-        """mu m g over the largest force that the spring could have."""
+        """The ratio of mu m g to the largest force that the spring would reach without slip."""
         return self.mu * self.m * self.g * self.w / (self.ks * self.v0)
 
     @property
     def slips(self) -> float:
-        """When it begins to slip [s]."""
+        """The time at which slip begins [s]."""
         return asin(self.most) / self.w
 
     @property
     def rolls(self) -> float:
-        """When it no longer slips [s]."""
+        """The time at which slip ends [s]."""
         left = self.v0 * cos(self.w * self.slips)
         return self.slips + left / (self.q * self.mu * self.g)
 
     def speed(self, t: float) -> float:
-        """v [m/s] at a time [s]: m (v - v0) is what friction gave, and s - v0 is q times that."""
+        """v [m/s] at a time [s]: m (v - v0) is the impulse of friction, and s - v0 = q (v - v0)."""
         if t < self.slips:
             return self.v0 * (1.0 - (1.0 - cos(self.w * t)) / self.q)
         if t < self.rolls:
@@ -69,7 +72,7 @@ class Sliding(NamedTuple):
 
     @property
     def speed_at_cap(self) -> float:
-        """v [m/s] as it begins to slip."""
+        """v [m/s] at the onset of slip."""
         return self.v0 * (1.0 - (1.0 - cos(self.w * self.slips)) / self.q)
 
 

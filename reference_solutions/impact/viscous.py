@@ -1,17 +1,19 @@
-"""A sphere strikes a wall or another along the normal, elastically and with losses.
+"""The normal impact of a sphere on a wall or another sphere, elastic with viscous losses.
 
-Hertz with the damping of Tsuji, Tanaka and Ishida (1992), with the overlap u [m]:
+The force is that of Hertz with the damping of Tsuji, Tanaka and Ishida (1992), at the overlap u
+[m]:
 
     m u'' = -F, F = max(0, K u^(3/2) + 2 z sqrt(1.5 m K) u^(1/4) u')
 
-With y = u^(5/4) and ds = u^(1/4) dt this is a damped spring (Antypov and Elliott 2011):
+With y = u^(5/4) and ds = u^(1/4) dt this is a damped linear oscillator (Antypov and Elliott 2011):
 
     y_ss + 2 b w y_s + w^2 y = 0, w^2 = 5 K/(4 m), b = z sqrt(6/5), y_s = 5/4 u'
 
-so that u' is known at every overlap, and time is an integral. The contact ends where F would pull,
-which is where u'_s = 0: w_d s = pi - 2 asin b, w_d = w sqrt(1 - b^2), as on a linear spring with
-b of critical damping (Schwager and Poeschel 2007). m [kg] is the reduced mass, v [m/s] the speed
-of approach, K [N/m^1.5] of Hertz. All raise ValueError for parameters outside their ranges.
+so that u' is known at every overlap, and the time is an integral. The contact ends where F would
+become tensile, which is where u'_s = 0: w_d s = pi - 2 asin b, w_d = w sqrt(1 - b^2), as for a
+linear spring with the damping ratio b (Schwager and Poeschel 2007). m [kg] is the reduced mass, v
+[m/s] the speed of approach and K [N/m^1.5] the factor of Hertz. All functions raise ValueError for
+parameters outside their ranges.
 """
 
 from math import acos, asin, cos, exp, pi, sin, sqrt
@@ -20,28 +22,28 @@ from reference_solutions.contact import dashpot
 from reference_solutions.impact import spring
 from reference_solutions.parameters import require_positive
 
-LARGEST = sqrt(5.0 / 6.0)  # of z: b is less than 1
+LARGEST = sqrt(5.0 / 6.0)  # upper bound of z, at which b = 1
 
 
 def share(z: float) -> float:
-    """b, the part of critical damping in s."""
+    """The damping ratio b of the oscillator in s."""
     if not 0.0 <= z < LARGEST:
         raise ValueError(f"z = {z}; it must be zero or more, and less than sqrt(5/6)")
     return z * sqrt(1.2)
 
 
 def restitution(z: float) -> float:
-    """e, which depends on neither speed, mass nor stiffness."""
+    """The restitution e, which depends on neither speed, mass nor stiffness."""
     return dashpot.restitution(share(z))
 
 
 def damping(e: float) -> float:
-    """z of a restitution e: the inverse of `restitution`."""
+    """The damping ratio z of a restitution e, the inverse of `restitution`."""
     return spring.damping(e) * LARGEST
 
 
 class _Swing:
-    """y, u' and u'_s by the phase p = w_d s."""
+    """y, u' and u'_s as functions of the phase p = w_d s."""
 
     def __init__(self, z: float, m: float, K: float, v: float) -> None:
         require_positive("in SI units", m=m, K=K, v=v)
@@ -66,7 +68,7 @@ class _Swing:
         return self.v * self.w * self.fading(p) * (2.0 * b * cos(p) + (c - b * b / c) * sin(p))
 
     def bend(self, p: float) -> float:
-        """-u'_ss, from the equation."""
+        """-u'_ss, from the equation of motion."""
         return self.w**2 * self.rate(p) - 2.0 * self.b * self.w * self.slowing(p)
 
     def force(self, p: float) -> float:
@@ -74,7 +76,9 @@ class _Swing:
         return float(self.m * max(self.y(p), 0.0) ** 0.2 * self.slowing(p))
 
     def time(self, p: float) -> float:
-        """t [s], the integral of u^(-1/4) ds, in x with phase p x^5: smooth where it starts."""
+        """t [s], the integral of u^(-1/4) ds; with the phase p x^5 the integrand is smooth at x =
+        0.
+        """
         from scipy.integrate import quad
 
         def part(x: float) -> float:
@@ -87,19 +91,19 @@ class _Swing:
 
 
 def deepest(z: float, *, m: float, K: float, v: float) -> float:
-    """Largest overlap [m]."""
+    """The largest overlap [m]."""
     swing = _Swing(z, m, K, v)
     return float(swing.y(acos(swing.b)) ** 0.8)
 
 
 def largest_force(z: float, *, m: float, K: float, v: float) -> float:
-    """Largest force [N], which acts before the overlap is the largest."""
+    """The largest force [N], which occurs before the largest overlap."""
     from scipy.optimize import brentq
 
     swing = _Swing(z, m, K, v)
 
     def steepness(p: float) -> float:
-        """The derivative of log F, times y and the deceleration."""
+        """The derivative of log F, multiplied by y and the deceleration."""
         grows = 0.25 * swing.rate(p) * swing.slowing(p)
         return grows + swing.y(p) * swing.bend(p)
 
@@ -107,13 +111,13 @@ def largest_force(z: float, *, m: float, K: float, v: float) -> float:
 
 
 def contact_time(z: float, *, m: float, K: float, v: float) -> float:
-    """How long the force acts [s]."""
+    """The duration of the force [s]."""
     swing = _Swing(z, m, K, v)
     return swing.time(swing.over)
 
 
 def cleared(z: float, *, m: float, K: float, v: float) -> float:
-    """When the bodies no longer overlap [s]: on from the end of the force at the last speed."""
+    """The time [s] at which the overlap ends; after the force ends, the speed is constant."""
     swing = _Swing(z, m, K, v)
     left = max(swing.y(swing.over), 0.0) ** 0.8
     return swing.time(swing.over) - float(left) / swing.rate(swing.over)

@@ -1,1 +1,1 @@
-"""Second routes to the references of many spheres."""
+"""Second, independent solutions for the references of many spheres."""

@@ -1,4 +1,4 @@
-"""Hard spheres in a box from collision to collision: the second route to the cooling of a gas."""
+"""Event-driven motion of hard spheres in a box: the second route to the cooling of a gas."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ Array = NDArray[np.float64]
 
 
 class Flight(NamedTuple):
-    """Collisions of two and with walls, times of all [s], and sum m v v/2 [J] after each."""
+    """The numbers of collisions of two and with walls, all times [s], and sum m v v/2 [J] after
+    each.
+    """
 
     pairs: int
     walls: int
@@ -22,7 +24,7 @@ class Flight(NamedTuple):
 def flight(x: Array, v: Array, side: float, e: tuple[float, float], collisions: int) -> Flight:
     """Follow spheres (n, 3) of unit diameter and mass; e: restitution of two, and at a wall."""
     x, v, n = x.copy(), v.copy(), len(x)
-    when = np.full((n, n + 3), np.inf)  # with others, and then with the walls across each axis
+    when = np.full((n, n + 3), np.inf)  # of collisions with spheres, then with walls
     now, pairs = 0.0, 0
     times, energy = np.zeros(collisions), np.zeros(collisions)
     changed = list(range(n))
@@ -47,7 +49,7 @@ def flight(x: Array, v: Array, side: float, e: tuple[float, float], collisions: 
 
 
 def _meeting(d: Array, u: Array) -> Array:
-    """In what time spheres at offsets d (n, 3), which move on at u, come to a distance of one."""
+    """The times at which spheres at offsets d (n, 3) with velocities u come to a distance of 1."""
     closing, fast, far = (d * u).sum(1), (u * u).sum(1), (d * d).sum(1) - 1.0
     root = closing**2 - fast * far
     hit = (closing < 0.0) & (root > 0.0)
@@ -57,5 +59,5 @@ def _meeting(d: Array, u: Array) -> Array:
 
 
 def _facing(x: Array, v: Array, side: float) -> Array:
-    """In what time a sphere comes to the wall ahead of it along each axis (3,)."""
+    """The times (3,) at which a sphere reaches the wall ahead of it along each axis."""
     return np.asarray(np.where(v > 0.0, side - 0.5 - x, x - 0.5) / np.abs(v))

@@ -1,4 +1,4 @@
-"""Frictionless spheres at rest in a minimum of their energy: the second route."""
+"""Frictionless spheres at rest by minimisation of their energy: the second route."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-MOST = 20_000  # steps
+MOST = 20_000  # largest number of steps
 
 
 def overlaps(x: Array, radius: Array, width: float) -> tuple[Index, Index, Array, Array]:
-    """Of pairs i < j: i, j and overlaps; of spheres with five walls: overlaps (n, 5)."""
+    """Indices i < j and overlaps of all pairs, and the overlaps (n, 5) with the five walls."""
     i, j = np.triu_indices(len(x), 1)
     reach = radius[i] + radius[j]
     pairs = np.maximum(reach - np.linalg.norm(x[j] - x[i], axis=1), 0.0)
@@ -23,7 +23,7 @@ def overlaps(x: Array, radius: Array, width: float) -> tuple[Index, Index, Array
 def energy(
     flat: Array, radius: Array, weight: Array, kn: float, width: float
 ) -> tuple[float, Array]:
-    """Energy of springs and heights [J], and the gradient of both (3 n,) [N]."""
+    """The energy of springs and gravity [J], and its gradient (3 n,) [N]."""
     x = flat.reshape(-1, 3)
     i, j, pairs, walls = overlaps(x, radius, width)
     total = 0.5 * kn * float((pairs**2).sum() + (walls**2).sum()) + float(weight @ x[:, 2])
@@ -39,13 +39,14 @@ def energy(
 
 
 def settled(x: Array, radius: Array, weight: Array, kn: float, width: float) -> tuple[float, float]:
-    """Contacts per sphere, and the force of the floor [N], when all have come to rest.
+    """Contacts per sphere, and the force on the floor [N], once all spheres are at rest.
 
-    They go down the slope as a body of mass does that drag slows, which balances on no summit.
+    The spheres descend the gradient with inertia and drag, so that they do not stop at a saddle
+    point.
     """
     found, v = x.ravel(), np.zeros(x.size)
-    dt = 0.5 / np.sqrt(kn)  # of masses of one, and of some ten springs to each
-    fall = 8.0 * np.sqrt(weight.max() / (x.max() * 30.0))  # 1/s: how fast a fall is slowed
+    dt = 0.5 / np.sqrt(kn)  # step for unit masses with about ten springs each
+    fall = 8.0 * np.sqrt(weight.max() / (x.max() * 30.0))  # rate of drag [1/s]
     for _ in range(MOST):
         slope = energy(found, radius, weight, kn, width)[1]
         v = (v - dt * slope) / (1.0 + fall * dt)

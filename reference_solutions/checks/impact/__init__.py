@@ -1,1 +1,1 @@
-"""Second routes to the answers of `reference_solutions.impact`."""
+"""Second, independent solutions for the references of `reference_solutions.impact`."""

@@ -1,6 +1,6 @@
 """Spheres dropped, pressed and set down sliding, by integration between events: second routes.
 
-Parameters are those of `dropped`, `pressed_pair` and `slip_to_roll` in
+The parameters are those of `dropped`, `pressed_pair` and `slip_to_roll` in
 `reference_solutions.impact`, whose code is not used here.
 """
 
@@ -18,7 +18,7 @@ Event = Callable[[float, Array], float]
 def _until(
     slope: Slope, start: list[float], time: float, event: Event, sizes: list[float]
 ) -> Array:
-    """Time and state at an event, or at `time` [s] from the start if there is none."""
+    """The time and state at an event, or at `time` [s] from the start if none occurs."""
     from scipy.integrate import solve_ivp
 
     event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
@@ -56,7 +56,7 @@ def pressed(
     t: float, start: tuple[float, float], *, masses: tuple[float, float], k: float,
     R: float, H: float, g: float,
 ) -> Array:  # fmt: skip
-    """y1 and y2 [m] of two pressed spheres, by the exponential of the system's matrix."""
+    """y1 and y2 [m] of two pressed spheres, by the matrix exponential of the system."""
     from scipy.linalg import expm
 
     first, second = masses
@@ -70,7 +70,7 @@ def pressed(
 def sliding(
     t: float, *, m: float, ks: float, mu: float, g: float, v0: float, q: float
 ) -> tuple[float, float]:
-    """v [m/s] at t [s] of a sphere set down sliding, and when it began to roll [s]."""
+    """v [m/s] at t [s] of a sphere set down sliding, and the time at which it began to roll [s]."""
     cap, w, past = mu * m * g, sqrt(q * ks / m), 0.0
     y, rolls, slips = [v0, v0, 0.0], 0.0, False
     for _ in range(3):
@@ -96,7 +96,7 @@ def sliding(
 
 
 def _swing(y: list[float], t: float, *, m: float, ks: float, q: float) -> float:
-    """v after t [s] on the shear spring, by the exponential of its matrix."""
+    """v after t [s] on the shear spring, by the matrix exponential of the system."""
     from scipy.linalg import expm
 
     system = np.array([[0.0, 0.0, q / m], [0.0, 0.0, 1.0 / m], [-ks, 0.0, 0.0]])

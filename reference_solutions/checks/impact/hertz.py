@@ -1,12 +1,13 @@
-"""Hertz's impact by quadrature of its energy integral, and by small steps: the second routes."""
+"""Hertz's impact by quadrature of its energy integral, and by Runge-Kutta steps: second routes."""
 
 from math import sqrt
 
 
 def contact_time(*, m: float, K: float, v: float) -> float:
-    """Duration [s]: twice the time to the largest overlap, from m u'^2/2 + 2/5 K u^(5/2) = const.
+    """The duration [s], twice the time to the largest overlap.
 
-    u = U sin^2 s removes the root at U, where the integrand would be infinite.
+    The rate follows from m u'^2/2 + 2/5 K u^(5/2) = const. The substitution u = U sin^2 s removes
+    the singularity of the integrand at u = U.
     """
     from scipy.integrate import quad
 
@@ -16,17 +17,17 @@ def contact_time(*, m: float, K: float, v: float) -> float:
 
 
 def _slowness(x: float) -> float:
-    """d(t v/U)/dx with u/U = 1 - x^2, where 1 - (u/U)^(5/2) = x^2 times a smooth factor."""
+    """d(t v/U)/dx with u/U = 1 - x^2, where 1 - (u/U)^(5/2) is x^2 times a smooth factor."""
     part = 1.0 - x * x
     factor = 2.5 if x == 0.0 else (1.0 - part**2.5) / (x * x)
     return 2.0 / sqrt(factor)
 
 
 def stepped(t: float, *, m: float, K: float, v: float, steps: int) -> tuple[float, float]:
-    """Overlap [m] and its rate [m/s] at time t [s] within the contact, by Runge and Kutta's steps.
+    """Overlap [m] and its rate [m/s] at time t [s] within the contact, by Runge-Kutta steps.
 
-    With u = q^4 and dt = q^3 ds the equations are polynomials, also where contact begins; steps
-    are equal in s, and a last one in s lands on t.
+    With u = q^4 and dt = q^3 ds the equations are polynomials, also at the start of the contact.
+    Steps are equal in s, apart from the last, which ends at t.
     """
     scale = (1.25 * m * v * v / K) ** 0.1
     state, ds = (0.0, v, 0.0), 16.0 * scale / v / steps
@@ -47,13 +48,13 @@ State = tuple[float, float, float]
 
 
 def _slope(state: State, m: float, K: float) -> State:
-    """d/ds of q, the rate of overlap, and time."""
+    """The derivatives by s of q, of the rate of overlap and of time."""
     q, rate, _ = state
     return 0.25 * rate, -K / m * q**9, q**3
 
 
 def _step(state: State, ds: float, m: float, K: float) -> State:
-    """Runge and Kutta's step of fourth order."""
+    """A Runge-Kutta step of fourth order."""
     one = _slope(state, m, K)
     two = _slope(_along(state, 0.5 * ds, one), m, K)
     three = _slope(_along(state, 0.5 * ds, two), m, K)

@@ -1,12 +1,13 @@
-"""An oblique impact with micro-slip by rates and collocation: the second route.
+"""An oblique impact with partial slip, by rates and collocation: the second route.
 
-Here T is integrated from its rate, that of Mindlin's stiffness where a contact sticks and of its
-limit where it slips, T' = -S (c s' + h e U' (sqrt(U) - c)) with slip of sign e outside of c (the
-form of Mindlin and Deresiewicz 1953 and of Thornton and Yin 1991), in the polar coordinates and
-the variable of `reference_solutions.checks.impact.rebound`, in which all is smooth. c is where
-e s - h U is what it was when the contact grew to there, or slipped back: of `Grown` by bisection in
-the panels of that time. `reference_solutions.impact.micro_slip`, which has T in closed form of what
-it remembers and steps in time, is not used.
+T is integrated from its rate T' = -S (c s' + h e U' (sqrt(U) - c)), with slip of sign e outside of
+c: the rate of Mindlin's stiffness where the contact sticks, and of the limit of slip elsewhere (the
+form of Mindlin and Deresiewicz 1953 and of Thornton and Yin 1991). The state has the polar
+coordinates and the variable of `reference_solutions.checks.impact.rebound`, in which all functions
+are smooth. At c, the value of e s - h U equals the one at which the contact grew to c or slipped
+back to it; for `Grown` c is found by bisection in the panels of that time. The code of
+`reference_solutions.impact.micro_slip`, which has T in closed form from its history and integrates
+in time, is not used.
 """
 
 from typing import NamedTuple
@@ -25,11 +26,14 @@ from reference_solutions.checks.impact.rebound import (
 )
 
 HALVINGS, PANELS = 44, 48
-GO, CLOSE = 0.5, 1e-8  # of the way to where slip is through a part, and of a panel
+GO, CLOSE = 0.5, 1e-8  # shares of a panel: step towards the end of a part, and accuracy
 
 
 class Slipped(NamedTuple):
-    """Slipped with a sign outside of sqrt(d) = start until U and slide were these."""
+    """A part that slipped in the direction `sign` outside of sqrt(d) = start.
+
+    overlap, slide: U and the slide at which it stuck.
+    """
 
     sign: float
     start: float
@@ -38,7 +42,10 @@ class Slipped(NamedTuple):
 
 
 class Grown(NamedTuple):
-    """Grew while it stuck: Legendre coefficients (NODES, 2, p) of q and slide in p panels."""
+    """A part that grew while it stuck.
+
+    panels: Legendre coefficients (NODES, 2, p) of q and slide in p panels of s.
+    """
 
     panels: Array
 
@@ -47,18 +54,18 @@ Parts = list[Slipped | Grown]
 
 
 class Contact(NamedTuple):
-    """The bodies and the law, and what sticks, innermost first."""
+    """The bodies, the law and the parts that stick, innermost first."""
 
     strike: Strike
     parts: Parts
 
     @property
     def h(self) -> float:
-        """h of the most stretch, h (U - d)."""
+        """The factor h of the largest stretch, h (U - d)."""
         return 1.5 * self.strike.mu * self.strike.K / self.strike.S
 
     def inner(self, y: Array, sign: float) -> Array:
-        """c (k,) in states (9, k) with slip of a sign."""
+        """c (k,) in states (9, k) with slip in the direction `sign`."""
         if not self.parts:
             return np.zeros(y.shape[1])
         part, overlap = self.parts[-1], y[0] ** 4
@@ -70,12 +77,12 @@ class Contact(NamedTuple):
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             q, slide = grown(part, middle)
-            later = sign * slide - self.h * q**4 > wanted  # it falls as the contact grows
+            later = sign * slide - self.h * q**4 > wanted  # decreases as the contact grows
             low, high = np.where(later, middle, low), np.where(later, high, middle)
         return np.asarray(grown(part, 0.5 * (low + high))[0] ** 2)
 
     def slopes(self, y: Array, sign: float) -> Array:
-        """dy/ds (9, k); sign: of slip outside of c, 0 where all sticks."""
+        """dy/ds (9, k); sign: direction of slip outside of c, 0 if the whole contact sticks."""
         slope = self.strike.slopes(y[:8], 0.0)
         q = y[0]
         slide = np.divide(-slope[5], self.strike.S * q**2, out=np.zeros_like(q), where=q != 0.0)
@@ -86,7 +93,7 @@ class Contact(NamedTuple):
         return np.vstack([slope, slide])
 
     def panel(self, y: Array, length: float, sign: float) -> tuple[Array, Array]:
-        """The state at the end of a panel in s, and those at its nodes."""
+        """The state at the end of a panel in s, and the states at its nodes."""
         at = np.repeat(y[:, None], NODES, axis=1)
         for _ in range(100):
             new = y[:, None] + length * self.slopes(at, sign) @ INSIDE.T
@@ -98,7 +105,11 @@ class Contact(NamedTuple):
         return y + length * self.slopes(at, sign) @ WHOLE, at
 
     def margins(self, y: Array, sign: float) -> tuple[float, float, float]:
-        """Negative once bodies are apart, slip turns or begins, or is through the last part."""
+        """Margins of three events, each negative once its event has occurred.
+
+        They are: the bodies separate; slip reverses or begins; all of the outermost stuck part
+        slips.
+        """
         slope = self.slopes(y[:, None], sign)[:, 0]
         slide, growth = float(slope[8] / y[0] ** 3) if y[0] else 0.0, float(-self.h * y[1])
         turns = sign * slide - growth if sign else growth - abs(slide)
@@ -114,7 +125,7 @@ class Contact(NamedTuple):
 
 
 def grown(part: Grown, when: Array) -> tuple[Array, Array]:
-    """q and slide (k,) at times (k,) that count panels."""
+    """q and slide (k,) at times (k,), which are counted in panels."""
     which = np.minimum(when.astype(int), part.panels.shape[2] - 1)
     x = 2.0 * (when - which) - 1.0
     basis = legendre.legvander(x, NODES - 1)
@@ -125,7 +136,7 @@ def grown(part: Grown, when: Array) -> tuple[Array, Array]:
 def after(
     strike: Strike, *, vn: float, vt: float, spin: float = 0.0, partner_spin: float = 0.0
 ) -> tuple[float, ...]:
-    """As `reference_solutions.checks.impact.rebound.after`."""
+    """The state after an impact, as in `reference_solutions.checks.impact.rebound.after`."""
     contact = Contact(strike, [])
     deep = (1.25 * strike.reduced * vn**2 / strike.K) ** 0.4
     length = 16.0 * deep**0.25 / vn / PANELS
@@ -141,7 +152,7 @@ def after(
         if crossed:
             shares = [(_share(contact, y, length, sign, k), k) for k in crossed]
             share, event = min(shares)
-            # c ends at 0 as the root of what is left: panels that shrink towards its end
+            # c tends to 0 as the square root of the remainder: panels shrink towards its end
             part_way = event == 2 and share > CLOSE and len(contact.parts) == 1
             share, event = (GO * share, -1) if part_way else (share, event)
             ahead, nodes = contact.panel(y, share * length, sign)
@@ -157,7 +168,7 @@ def after(
 
 
 def _share(contact: Contact, y: Array, length: float, sign: float, which: int) -> float:
-    """Where in a panel a margin turns negative."""
+    """The fraction of a panel at which a margin becomes negative."""
     from scipy.optimize import brentq
 
     def margin(share: float) -> float:
@@ -166,12 +177,12 @@ def _share(contact: Contact, y: Array, length: float, sign: float, which: int) -
     start = 1e-9
     if margin(start) <= 0.0:
         return start
-    rough = 1e-3 if which == 2 and len(contact.parts) == 1 else 1e-14  # it is gone in panels
+    rough = 1e-3 if which == 2 and len(contact.parts) == 1 else 1e-14  # panels shrink to it
     return float(brentq(margin, start, 1.0, xtol=1e-15, rtol=rough))
 
 
 def _next(contact: Contact, y: Array, sign: float, event: int, panels: list[Array]) -> float:
-    """How the contact goes on; what sticks is remembered."""
+    """The sign of slip after an event; parts that stick are stored."""
     parts = contact.parts
     if not sign:
         parts.append(Grown(np.stack(panels, axis=2)))

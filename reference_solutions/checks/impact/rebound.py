@@ -1,9 +1,9 @@
 """An oblique impact by collocation in a variable in which it is analytic: the second route.
 
-With the overlap U = q^4 and dt = q^3 ds all forces of linear springs, Hertz, Mindlin and Tsuji
-are polynomials of q, also where contact begins and ends. The state, in polar coordinates, is q,
+With the overlap U = q^4 and dt = q^3 ds, all forces of linear springs, Hertz, Mindlin and Tsuji are
+polynomials in q, also at the start and end of the contact. The state, in polar coordinates, is q,
 the velocities along and across the line of centres, both spins, T, the angle of that line, and t.
-Parameters are those of `reference_solutions.impact.rebound`, whose code is not used here.
+The parameters are those of `reference_solutions.impact.rebound`, whose code is not used here.
 """
 
 from collections.abc import Callable
@@ -25,9 +25,9 @@ WHOLE: Array = (np.ones(NODES + 1) @ _SUM @ _FIT).astype(np.float64)
 
 @dataclass(frozen=True)
 class Strike:
-    """Law (K, S [N/m^p], mu, p, z) and bodies (radii [m], masses [kg]; a wall's are infinite).
+    """The law (K, S [N/m^p], mu, p, z) and the bodies: radii [m], masses [kg], infinite for a wall.
 
-    a, b and h are those of `Law`, in which codes differ.
+    a, b and h are the parameters of `Law` in which codes differ.
     """
 
     K: float
@@ -45,21 +45,21 @@ class Strike:
 
     @property
     def reduced(self) -> float:
-        """Reduced mass [kg]."""
+        """The reduced mass [kg]."""
         return 1.0 / (1.0 / self.mass + 1.0 / self.partner_mass)
 
     def normal_force(self, q: Array, away: Array) -> Array:
-        """Fn without its limit."""
+        """The normal force Fn without the limit at zero."""
         damping = 2.0 * self.z * sqrt(self.reduced * self.p * self.K)
         return np.asarray(self.K * q ** (4 * self.p) - damping * q ** (2 * self.p - 2) * away)
 
     @staticmethod
     def held(T: Array, deep: Array) -> Array:
-        """T/U, 0 where contact begins."""
+        """T/U, set to 0 at the start of the contact."""
         return np.divide(T, deep, out=np.zeros_like(T), where=deep > 0.0)
 
     def slopes(self, y: Array, sign: float) -> Array:
-        """dy/ds (8, k) of states (8, k); sign: that of T where the contact slips, else 0."""
+        """dy/ds (8, k) of states (8, k); sign: the sign of T where the contact slips, else 0."""
         q, away, across, spin, other, T = y[:6]
         deep, fast = q**4, q**3
         push = self.normal_force(q, away)
@@ -99,7 +99,7 @@ class Strike:
 def after(
     strike: Strike, *, vn: float, vt: float, spin: float = 0.0, partner_spin: float = 0.0
 ) -> tuple[float, ...]:
-    """Both velocities, both spins, the duration, and when they clear, as `rebound` has them."""
+    """Both velocities, both spins, the duration and the end of the overlap, as in `rebound`."""
     p, m = strike.p, strike.reduced
     deep = ((p + 1.0) * m * vn**2 / (2.0 * strike.K)) ** (1.0 / (p + 1.0))
     length = 16.0 * deep**0.25 / vn / PANELS
@@ -126,14 +126,20 @@ Test = Callable[[Array], float]
 
 
 def _pressing(strike: Strike) -> Test:
-    """Negative once contact is over: q for a spring alone, else the force; both start at zero."""
+    """A test that is negative once the contact is over.
+
+    It is q for a spring alone, else the force, since both are zero at the start.
+    """
     if strike.z == 0.0:
         return lambda y: float(y[0])
     return lambda y: float(strike.normal_force(y[0], y[1]))
 
 
 def _sliding(strike: Strike, sign: float) -> Test:
-    """Negative once a contact that sticks should slip, or one that slips should stick."""
+    """A test that is negative where a contact that sticks should slip, or the other way round.
+
+    sign: the sign of T where the contact slips, else 0.
+    """
     if not sign:
         return lambda y: strike.mu * float(strike.normal_force(y[0], y[1])) - abs(float(y[5]))
 
@@ -153,7 +159,7 @@ def _sliding(strike: Strike, sign: float) -> Test:
 
 
 def _share(strike: Strike, y: Array, length: float, sign: float, stop: Test) -> float:
-    """Where in a panel a test turns negative, by bisection."""
+    """The fraction of a panel at which a test becomes negative, by bisection."""
     low, high = 0.0, 1.0
     for _ in range(60):
         middle = 0.5 * (low + high)
@@ -175,7 +181,7 @@ def _first(strike: Strike, y: Array) -> float:
 
 
 def _read(strike: Strike, y: Array) -> tuple[float, ...]:
-    """Velocities along the axes of the start, and when the bodies no longer overlap."""
+    """Velocities along the initial axes, both spins, the duration, and when the overlap ends."""
     c, s = cos(float(y[6])), sin(float(y[6]))
     normal, tangential = c * y[1] - s * y[2], s * y[1] + c * y[2]
     deep, away, across = max(float(y[0]), 0.0) ** 4, float(y[1]), float(y[2])

@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 def motion(
     times: Array, *, d: float, rho: float, rho_f: float, mu: float, g: float, v0: float
 ) -> tuple[Array, Array]:
-    """Depth and speed as `reference_solutions.impact.sinking` has them."""
+    """Depth [m] and speed [m/s], as in `reference_solutions.impact.sinking`."""
     from scipy.integrate import solve_ivp
 
     mass, weight = rho * np.pi * d**3 / 6.0, (rho - rho_f) * np.pi * d**3 / 6.0 * g

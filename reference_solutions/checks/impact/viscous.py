@@ -1,6 +1,6 @@
-"""A viscous impact along the normal by integration: the second route.
+"""A viscous impact along the normal, by integration in time: the second route.
 
-With u = q^4 and dt = q^3 ds the equations are polynomials, also where contact begins.
+With u = q^4 and dt = q^3 ds the equations are polynomials, also at the start of the contact.
 """
 
 from collections.abc import Callable
@@ -15,8 +15,7 @@ Event = Callable[[float, Array], float]
 
 
 class Impact(NamedTuple):
-    """Restitution, largest overlap [m] and force [N], how long the force acted, and when the
-    bodies no longer overlap [s]."""
+    """Restitution, largest overlap [m] and force [N], and the ends of force and of overlap [s]."""
 
     restitution: float
     deepest: float
@@ -26,7 +25,7 @@ class Impact(NamedTuple):
 
 
 def impact(z: float, *, m: float, K: float, v: float) -> Impact:
-    """The result of an impact with speed v, up to the moment at which the force would pull."""
+    """The result of an impact with speed v; it ends where the force would become tensile."""
     from scipy.integrate import solve_ivp
 
     D = 2.0 * z * sqrt(1.5 * m * K)
@@ -41,7 +40,7 @@ def impact(z: float, *, m: float, K: float, v: float) -> Impact:
     def ends(s: float, y: Array) -> float:
         if z == 0.0:
             return float(y[0]) if s > 0.0 else 1.0
-        return float(K * y[0] ** 5 + D * y[1])  # the force over q
+        return float(K * y[0] ** 5 + D * y[1])  # force divided by q
 
     def peak(s: float, y: Array) -> float:
         dq, drate, _ = slope(s, y)
@@ -67,7 +66,7 @@ def impact(z: float, *, m: float, K: float, v: float) -> Impact:
 
 
 def _falling(ends: Event, *others: Event) -> tuple[Event, ...]:
-    """Events of solve_ivp where they fall through zero; the first ends the integration."""
+    """Events of solve_ivp at decreasing zeros; the first of them ends the integration."""
     ends.terminal = True  # type: ignore[attr-defined]
     for event in (ends, *others):
         event.direction = -1.0  # type: ignore[attr-defined]
@@ -75,7 +74,7 @@ def _falling(ends: Event, *others: Event) -> tuple[Event, ...]:
 
 
 def on_a_spring(z: float, *, m: float, kn: float, v: float) -> Impact:
-    """The same on a linear spring and dashpot, in units of its oscillation."""
+    """The result of the same impact on a linear spring and dashpot, in dimensionless form."""
     from scipy.integrate import solve_ivp
 
     def slope(t: float, y: Array) -> list[float]:
