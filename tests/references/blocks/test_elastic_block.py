@@ -1,4 +1,4 @@
-"""Claims about a block of uniform strain: two routes to it, and what the engine makes of it."""
+"""Claims about a block of uniform strain: two routes agree on it, and the engine follows."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ CASE = find().load_case("elastic-block")
 LAW: dict[str, Any] = {"sides": (1.3, 0.7, 1.0), "rho": 2000.0, "young": 3e9, "poisson": 0.3}
 W = closed.first(side=1.0, rho=2000.0, young=3e9)
 T = np.linspace(0.0, 10.0, 101) / W
-UPWARDS = "at * q[1:] + q[0] * UP"  # the centroid's unknown might as well count downwards
+UPWARDS = "at * q[1:] + q[0] * UP"  # the sign of the centroid's unknown is arbitrary
 
 
 def agree(one: ModuleType, other: ModuleType) -> bool:
-    """Whether the routes agree: standing freely and held across, and spinning slowly."""
+    """Whether the routes agree on blocks that stand freely or constrained, and that spin slowly."""
     for along in ((0, 1, 2), (2,)):
         here, there = (route.standing(T, **LAW, g=9.81, along=along) for route in (one, other))
         if not np.abs(here - there).max() <= 1e-9 * np.abs(here).max() > 0:
@@ -37,7 +37,7 @@ def agree(one: ModuleType, other: ModuleType) -> bool:
 
 
 def apart(one: ModuleType, other: ModuleType, spin: float) -> float:
-    """How far spinning blocks differ, which they do by (spin/w)^2 and by the strain."""
+    """The relative difference of spinning blocks, of the order of (spin/w)^2 and of the strain."""
     here, there = (route.spinning(T, **LAW, spin=spin) for route in (one, other))
     return float(np.abs(here - there).max() / np.abs(here).max())
 
@@ -72,7 +72,7 @@ def test_what_swings_does_so_about_what_rests() -> None:
 
 @pytest.mark.parametrize("along", [(2,), (0, 1, 2)])
 def test_the_base_always_presses(along: tuple[int, ...]) -> None:
-    """A quarter of the weight at least where the block is held across: contact never ends."""
+    """The base of a constrained block bears a quarter of its weight at least: no contact ends."""
     t = np.linspace(0.0, 60.0, 60_001) / W
     rise = closed.standing(t, **LAW, g=9.81, along=along)[:, 2] * LAW["sides"][2] / 2
     pressed = 1 + np.diff(rise, 2) / t[1] ** 2 / 9.81
@@ -81,7 +81,7 @@ def test_the_base_always_presses(along: tuple[int, ...]) -> None:
 
 
 def test_a_bar_cut_into_many_swings_slower_than_one_of_uniform_strain() -> None:
-    """Linear elements of a bar of unit E, rho and length: free, and held at its foot."""
+    """A bar of unit E, rho and length in linear elements, free or fixed at its foot."""
     n = 200
     stiff = n * (2 * np.eye(n + 1) - np.eye(n + 1, k=1) - np.eye(n + 1, k=-1))
     mass = (4 * np.eye(n + 1) + np.eye(n + 1, k=1) + np.eye(n + 1, k=-1)) / (6 * n)
@@ -145,7 +145,7 @@ def test_what_a_continuum_does_otherwise_is_shown(variant: str, name: str, due: 
 
 
 def test_without_inertia_that_turns_a_block_that_spins_does_not_strain() -> None:
-    """As published; where friction alone lags it does, but its class is not judged."""
+    """As published. Where only friction lags, the block does strain, but is not judged."""
     trial, run = solved("spun", way=dda.PUBLISHED)
     series: Vector = run.values[trial.study.observables[0]]
     assert np.abs(series).max() < 1e-12

@@ -1,4 +1,4 @@
-"""Claims about the facade: what its blocks weigh, and that it stands, by a second route."""
+"""Claims about the facade: the weights of its blocks, and that it stands, by a second route."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims about how a block on a slope begins to move: two routes agree, borders are where said."""
+"""Claims about the onset of motion of a block on a slope: two routes agree, also on the borders."""
 
 from types import ModuleType
 

@@ -46,7 +46,7 @@ NEWMARK = {
 }
 SECOND = ("newmark", "_sliding", "_moved", "_slide", "_rest")  # of the second route, one direction
 TURNS = ("two_directions", "_turn", "_launched")
-# signs that decide how far a piece or step goes, when it gives up, or a heading soon forgotten
+# signs that only affect lengths of steps, limits of effort, or a direction without lasting effect
 EFFORT = (
     "-1",
     "-1.0",
@@ -57,12 +57,12 @@ EFFORT = (
     "begin + span * pull / (2.0 * pull - float(limit))",
     "2.0 * pull - float(limit)",
 )
-WHAT_DRIVES = ("_drive", "_forwards", "_backwards", "_steps")  # of the first
+WHAT_DRIVES = ("_drive", "_forwards", "_backwards", "_steps")  # of the first route
 T, SHORT = np.linspace(0.0, 2.2, 45), np.linspace(0.0, 0.2, 9)
 
 
 def apart(a: Array, b: Array) -> float:
-    """The largest distance over the largest value; nan where a route has no answer."""
+    """The largest difference over the largest value; nan where a route has no solution."""
     return float(np.max(np.abs(a - b)) / np.max(np.abs(b)))
 
 
@@ -92,7 +92,7 @@ def test_they_agree_over_the_class(
     p = {"alpha": alpha, "phi": phi, "A": A, "f": quarters / 4.0, "v0": launch / 4.0}
     t = np.linspace(0.0, 4.0 / p["f"], 101)
     first, second = newmark(closed, t, **p), newmark(integrated, t, **p)
-    creep = 1e-15 * G * t[-1] ** 2  # of the second at phi = alpha, where its forces cancel
+    creep = 1e-15 * G * t[-1] ** 2  # of the second route at phi = alpha, where its forces cancel
     assert np.max(np.abs(first - second)) <= AGREEMENT * np.max(np.abs(first)) + creep
 
 
@@ -211,7 +211,7 @@ def test_friction_that_holds_everything_lets_nothing_move(alpha: float) -> None:
 
 @functools.cache
 def known() -> list[Array]:
-    """What mutants must miss: all of NEWMARK, which both routes agree on, and BOTH."""
+    """The displacements for NEWMARK, on which both routes agree; wrong signs must change them."""
     return [newmark(closed, T, **changes) for changes in NEWMARK.values()]
 
 
@@ -242,7 +242,7 @@ def test_any_wrong_sign_in_the_second_route_of_two_directions_is_caught(sign: in
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives what is known in one direction."""
+    """Whether a route has the known displacements in one direction."""
     pairs = zip(NEWMARK.values(), known(), strict=True)
     return all(apart(newmark(route, T, **changes), d) < AGREEMENT for changes, d in pairs)
 

@@ -1,4 +1,4 @@
-"""Claims about a laden block on a shaking slope: two routes, and that it keeps slipping one way."""
+"""Claims about a loaded block on a shaking slope: two routes agree, and its slip never reverses."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SLIDING = (0.02, 7.0, 0.3)
 
 
 def agree(one: ModuleType, other: ModuleType, **law: float) -> bool:
-    """Whether the routes agree along the slip, and the lift is that of the wall."""
+    """Whether the routes agree on the slip, and the block rises with the wall."""
     told = {"shaking": tuple(Sine(*a) for a in SHAKING), "lifting": Sine(*LIFTING)}
     place, speed = one.motion(T, **{**LAW, **law}, **told)
     due, rate = other.motion(T, **{**LAW, **law}, shaking=SHAKING, lifting=LIFTING, sliding=SLIDING)

@@ -1,4 +1,4 @@
-"""Claims about the block on a shaking foundation: two routes agree on it, and on known numbers."""
+"""Claims about a block on a shaking foundation: two routes agree, also with published values."""
 
 import functools
 from math import pi
@@ -46,8 +46,8 @@ STICKS = THREE | {"Dy": 0.05, "fy": 2.0, "mu": 2.0}  # slips for a part of each 
 TURNS = THREE | {"Dy": 0.05, "fy": 1.0, "mu": 1.0}  # sticks, slips and turns
 WHAT_MOVES = ("base", "one_direction", "_drive", "_steps")  # of the first route
 SECOND = ("one_direction", "_carried", "_caught")  # of the second, one direction
-DRAGS = ("three_directions", "drags", "acceleration", "Base", "_dragged")  # and more
-# signs that decide how far a grid or step goes, when it gives up, or a heading soon forgotten
+DRAGS = ("three_directions", "drags", "acceleration", "Base", "_dragged")  # of the second, more
+# signs that only affect lengths of steps, limits of effort, or a direction without lasting effect
 EFFORT = (
     "-1",
     "-1.0",
@@ -73,7 +73,7 @@ T, SHORT = np.linspace(0.0, 2.2, 45), np.linspace(0.0, 0.5, 11)
 
 
 def apart(a: Array, b: Array) -> float:
-    """The largest distance over the largest value; nan where a route has no answer."""
+    """The largest difference over the largest value; nan where a route has no solution."""
     return float(np.max(np.abs(a - b)) / np.max(np.abs(b)))
 
 
@@ -192,18 +192,18 @@ def test_the_axes_may_be_swapped() -> None:
 
 @functools.cache
 def known() -> list[Array]:
-    """What a route with a wrong sign must miss."""
+    """The displacements for MOVED, which wrong signs must change."""
     return [one_direction(closed, T, **changes) for changes in MOVED]
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives what is known in one direction."""
+    """Whether a route has the known displacements in one direction."""
     pairs = zip(MOVED, known(), strict=True)
     return all(apart(one_direction(route, T, **p), d2) < AGREEMENT for p, d2 in pairs)
 
 
 def turns(route: ModuleType, agreement: float) -> bool:
-    """Whether a route gives what is known in three directions."""
+    """Whether a route has the known displacements in three directions."""
     pairs = ((p, closed.three_directions(SHORT, **p)) for p in (STICKS, THREE))
     return all(apart(route.three_directions(SHORT, **p), d2) < agreement for p, d2 in pairs)
 

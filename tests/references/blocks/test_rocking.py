@@ -1,4 +1,4 @@
-"""Claims about a rocking block: two routes agree, and its figures are those of the literature."""
+"""Claims about a rocking block: two routes agree, also with values of the literature."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def test_a_block_that_is_let_go_rocks_the_same_by_both_routes(t: float) -> None:
 
 @pytest.mark.parametrize(("A", "t"), [(4.5, 0.5), (4.5, 1.5), (5.2, 0.75), (6.0, 0.7)])
 def test_a_block_under_half_a_sine_rocks_the_same_by_both_routes(A: float, t: float) -> None:
-    """The second begins to lean at a whole step, which costs it 1e-6."""
+    """The second route starts the rocking at the end of a step, which causes an error of 1e-6."""
     found = rocking.leans([0.0, t], **LAW, A=A, w=W, T=0.5)[-1]
     other = stepped.leans(t, **LAW, A=A, w=W, T=0.5, theta=0.0, steps=3000)
     assert found == pytest.approx(other, abs=2e-6)
@@ -54,7 +54,7 @@ def test_swings_end_and_turn_where_they_should() -> None:
 
 
 def test_only_one_amplitude_is_the_threshold_where_stronger_pulses_throw_a_block_round() -> None:
-    """A block of b/h = 0.57 under 10 times as much turns by more than once in free space."""
+    """Under 10 times that amplitude a block of b/h = 0.57 rotates more than once in free flight."""
     law = {"b": 0.656, "h": 1.16, "g": 14.2, "w": 2 * np.pi * 0.951}
     least = rocking.threshold(**law)
     assert stepped.overturns(least * (1 + 1e-6), **law, steps=2000)
@@ -87,7 +87,7 @@ def test_a_squat_block_does_not_rebound() -> None:
 
 
 def test_beyond_the_threshold_the_time_to_overturn_grows_by_a_logarithm() -> None:
-    """ln(100)/p for each two decades nearer to it (Hogan 1989)."""
+    """The time increases by ln(100)/p for each two decades closer to the threshold (Hogan 1989)."""
     least, t = rocking.threshold(**LAW, w=W), np.linspace(0.0, 6.0, 60001)
     falls = [
         t[rocking.leans(t, **LAW, A=least * (1 + near), w=W, T=0.5) > ALPHA + 0.1][0]

@@ -31,7 +31,7 @@ HEAVY = {"F": 3.1, "height": 30.0, "c": 300.0, "damping": 0.4}
 
 
 def apart(first: ModuleType, other: ModuleType = second) -> float:
-    """The largest difference of the two routes, over a bound for each."""
+    """The largest difference of the two routes, each quantity over its own bound."""
     off = [
         np.abs(first.displacement(T, **law) - other.displacement(T, **law)).max() / 1e-6
         for law in WAVES

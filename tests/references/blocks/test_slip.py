@@ -1,4 +1,4 @@
-"""Claims about the slips below both references: Coulomb's law holds in them, and in no mutant."""
+"""Claims about the slip solutions of both references: Coulomb's law, and no wrong sign passes."""
 
 import functools
 import itertools
@@ -38,7 +38,7 @@ PLANE = [
     {"alpha": 20.0, "phi": 35.0, "ax": 20.0, "fx": 1.0, "ay": 0.0, "fy": 1.0, "g": G},
 ]
 BASE = {"Dx": 0.1, "fx": 2.0, "Dy": 0.05, "fy": 1.0, "Dz": 0.1, "fz": 1.0, "mu": 1.0, "g": G}
-# signs whose turn changes the effort, up to giving up, or a slip too slow to move anything
+# signs that only affect the effort, up to failure, or slip too slow for any displacement
 EFFORT = {
     harmonic_slip: (
         "end - now",
@@ -84,7 +84,7 @@ EFFORT = {
 
 
 def windows(begin: float, end: float, most: float) -> Iterator[tuple[float, float]]:
-    """Pieces of an interval, none longer than `most`."""
+    """Parts of an interval, none longer than `most`."""
     edges = np.linspace(begin, end, 1 + int(np.ceil((end - begin) / most)))
     yield from itertools.pairwise(edges.tolist())
 
@@ -159,7 +159,7 @@ def test_intervals_follow_each_other_until_the_end() -> None:
 
 
 def line(harmonic: ModuleType) -> Iterator[Array]:
-    """What the solutions in one direction give with that module below them."""
+    """The solutions in one direction that use the given module."""
     t = np.linspace(0.0, 2.2, 45)
     slope, base = using(incline, harmonic), using(responding_block, harmonic)
     yield from (slope.newmark(t, **p) for p in LINE)
@@ -169,7 +169,7 @@ def line(harmonic: ModuleType) -> Iterator[Array]:
 
 
 def plane(turning: ModuleType) -> Iterator[Array]:
-    """What the solutions in more directions give with that module below them."""
+    """The solutions in two and three directions that use the given module."""
     t = np.linspace(0.0, 0.8, 17)
     slope, base = using(incline, turning), using(responding_block, turning)
     yield base.three_directions(t, **BASE)
@@ -187,12 +187,12 @@ BELOW = {harmonic_slip: line, turning_slip: plane, slip_collocation: collocated}
 
 @functools.cache
 def known(module: ModuleType) -> list[Array]:
-    """The answers of a module as it is."""
+    """The solutions with the unchanged module."""
     return list(BELOW[module](module))
 
 
 def same(module: ModuleType, changed: ModuleType) -> bool:
-    """Whether the solutions are what they were; the first that is not decides."""
+    """Whether the solutions are unchanged; the comparison stops at the first difference."""
     answers = BELOW[module]
     return all(
         a.shape == b.shape and bool(np.max(np.abs(a - b)) < 1e-11 * np.max(np.abs(b)))

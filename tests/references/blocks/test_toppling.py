@@ -1,4 +1,4 @@
-"""Claims about a body that topples about a line: two routes, and what a small lean tends to."""
+"""Claims about a body that topples about a line: two routes agree, and small leans have a limit."""
 
 from __future__ import annotations
 

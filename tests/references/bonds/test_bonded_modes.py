@@ -1,4 +1,4 @@
-"""Claims about the fastest mode of bonded elements: two routes, the unit's breathing, a lattice."""
+"""Claims about the fastest mode of bonded elements: two routes agree on chain, unit and lattice."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PATH = np.array([[0.0, 0.0, 0.0], [1.0, 0.2, 0.1], [0.3, 1.1, 0.4]]), np.array([
 def test_the_two_routes_agree(gamma: float, m: float) -> None:
     for position, bonds in (PATH, (CORNERS, EDGES)):
         one, other = (r.fastest_mode(position, bonds, 2.0, 2.0 * gamma, m) for r in (modes, pulled))
-        assert one == pytest.approx(other, rel=1e-6)  # near-equal modes part slowly in the second
+        assert one == pytest.approx(other, rel=1e-6)  # iteration separates close modes slowly
 
 
 def test_they_agree_on_a_block_of_the_lattice() -> None:
@@ -45,7 +45,7 @@ def test_the_fastest_wave_limits_the_step_of_every_lattice() -> None:
 
 
 def same(route: object) -> bool:
-    """Whether a route gives the known modes of a chain across its plane, and a wave."""
+    """Whether a route has the known fastest mode of a chain in a plane, and that of a wave."""
     found = route.fastest_mode(*PATH, 2.0, 0.5, 1.0)  # type: ignore[attr-defined]
     good = bool(np.isclose(found, modes.fastest_mode(*PATH, 2.0, 0.5, 1.0), rtol=1e-9))
     if hasattr(route, "square"):

@@ -1,4 +1,4 @@
-"""Claims about blocks of bonded elements: how they are built, and their static answers."""
+"""Claims about blocks of bonded elements: their geometry, and their static solutions."""
 
 from itertools import pairwise
 
@@ -30,7 +30,7 @@ KNOWN = {
 
 
 def ordered(x: Array) -> Array:
-    """By z, y and x, whatever the rounding."""
+    """Rows sorted by z, y and x, independently of rounding."""
     return x[np.lexsort(np.round(x, 6).T)]
 
 
@@ -85,7 +85,7 @@ def test_the_static_answer_is_the_least_squares_of_all_slips(N: int, gamma: floa
 @given(st.floats(0.01, 1.0))
 @settings(max_examples=10)
 def test_the_infinite_lattice_is_the_formulas(gamma: float) -> None:
-    """Eqs. 4 and 6, along the c axis."""
+    """Eqs. 4 and 6 hold along the c axis."""
     gradient = crystal.pulled(gamma, np.array([0.0, 0.0, 1.0]))
     E = lattice_material.youngs_modulus(1.0, gamma, 1.0)
     nu = lattice_material.poissons_ratio(1.0, gamma)
@@ -93,7 +93,7 @@ def test_the_infinite_lattice_is_the_formulas(gamma: float) -> None:
 
 
 def test_the_lattice_is_softer_along_the_other_axes_of_its_units() -> None:
-    """A unit has four axes that are alike; the crystal that units make has one."""
+    """A unit has four equivalent axes; the crystal of such units has only one."""
     line = np.array([0.0, -np.sqrt(8.0) / 3.0, 1.0 / 3.0])
     E = 1 / float(line @ crystal.pulled(GAMMA, line) @ line)
     assert E / lattice_material.youngs_modulus(1.0, GAMMA, 1.0) == pytest.approx(0.871, abs=5e-4)

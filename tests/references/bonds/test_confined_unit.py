@@ -1,4 +1,4 @@
-"""Claims about the confined unit: two routes agree, and without loads it is the unit."""
+"""Claims about the confined unit: two routes agree, also on the unit without confinement."""
 
 from types import ModuleType
 

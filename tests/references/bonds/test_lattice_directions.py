@@ -35,7 +35,7 @@ def apart(route: ModuleType, second: ModuleType = repeated) -> float:
 
 
 def along(direction: list[float]) -> float:
-    """E over that along the unit's axis."""
+    """E in a direction over E along the axis of the unit."""
     E = lattice_directions.modulus(direction, **SPRINGS)
     return E / lattice_material.youngs_modulus(**SPRINGS)
 

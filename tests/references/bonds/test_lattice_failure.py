@@ -1,4 +1,4 @@
-"""Claims about a block whose level bonds open one after another: first, last and in between."""
+"""Claims about a block whose level bonds open successively: first, last and intermediate states."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ FOUND = pressed(BLOCK, KN, KS, XB)
 
 
 def solved(block: Lattice) -> tuple[float, np.ndarray]:
-    """The modulus, and the stretches of bonds at the strain -1, by dense least squares."""
+    """The modulus, and the stretches of the bonds at the strain -1, by dense least squares."""
     n = len(block.position)
     rows, held = [], block.at(2, 0) | block.at(2, 1)
     for i, j in block.bonds:

@@ -1,4 +1,4 @@
-"""Claims about blocks at finite strain: the unit's own path, and what is seen at small strains."""
+"""Claims about blocks at finite strain: they follow the path of the unit, and small strains."""
 
 import numpy as np
 import pytest

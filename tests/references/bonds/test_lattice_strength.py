@@ -1,4 +1,4 @@
-"""Claims about where pulled blocks open and pressed ones slide."""
+"""Claims about the strength of blocks: where bonds open in tension and slide in compression."""
 
 import pytest
 
@@ -30,7 +30,7 @@ def test_two_routes_agree(shape: tuple[int, int, int]) -> None:
 
 
 def test_blocks_are_weaker_than_the_lattice_as_published() -> None:
-    """The paper's mean over its blocks is 8.89 %; that of all nine sizes is 8.47 %."""
+    """The mean over the blocks in the paper is 8.89 %; that over all nine sizes is 8.47 %."""
     short = [1 - strength(N) / EQ_7 for N in (82, 255, 580, 1105, 2166)]
     assert short == sorted(short)
     assert short[0] == pytest.approx(0.0582, abs=1e-4)
@@ -39,7 +39,7 @@ def test_blocks_are_weaker_than_the_lattice_as_published() -> None:
 
 @pytest.mark.parametrize("shape", [(2, 1, 1), (3, 2, 1), SIZES[82]])
 def test_without_horizontal_bonds_all_slide_at_once(shape: tuple[int, int, int]) -> None:
-    """What is exact at any strain beside the second route, which is linear, as Eq. 14 is."""
+    """The solution at finite strain agrees with the second route, which is linear, as Eq. 14 is."""
     slid = crystal.slidings(*shape, KS / KN, ELEMENT.mu_p) * ELEMENT.fs0 / D**2
     more = sliding(lattice(*shape, D), ELEMENT, D) / UNIT
     assert slid / EQ_14 == pytest.approx(more, rel=1e-9)
@@ -47,7 +47,7 @@ def test_without_horizontal_bonds_all_slide_at_once(shape: tuple[int, int, int])
 
 
 def test_pressed_blocks_are_about_as_strong_as_the_lattice() -> None:
-    """The paper has 18.51 % less on average; rigid smooth platens do not explain it."""
+    """The paper states 18.51 % less on average, which rigid smooth platens do not explain."""
     over = [sliding(lattice(*SIZES[N], D), ELEMENT, D) / EQ_14 - 1 for N in sorted(SIZES)]
     assert over == sorted(over, reverse=True)
     assert over[0] == pytest.approx(0.0337, abs=1e-4)
@@ -61,7 +61,7 @@ def test_a_stretch_must_be_positive() -> None:
 
 
 def test_an_open_block_begins_as_its_network_softens_and_ends_where_it_slides() -> None:
-    """Weak bonds open at a thousandth of the strain, from where on the answer is linear."""
+    """Weak bonds open at a thousandth of the strain; beyond that, the solution is linear."""
     block, weak = lattice(*SIZES[82], D), ELEMENT._replace(xb=1e-3 * XB)
     bare = pressed(block, KN, KS, weak.xb).modulus[-1]
     assert opened_slope(block, weak, D, (2e-6, 4e-6)) == pytest.approx(bare, rel=1e-4)

@@ -1,4 +1,4 @@
-"""Claims about units whose contacts end: how fast they part, and what energy that leaves."""
+"""Claims about units whose contacts end: the rates of separation, and the energy that remains."""
 
 from math import atan2, cos, hypot, sin
 
@@ -18,7 +18,7 @@ OTHER = Element(QUARTZ.kn, 6.4e6, 2.2e-7, 23.0, 0.3)
 
 
 def contact(element: Element) -> tuple[float, float]:
-    """Length [m] and angle [rad] of an inclined contact as it begins to slide."""
+    """Length [m] and angle [rad] of an inclined contact at the onset of sliding."""
     state = tetrahedral_unit.sliding_failure(element, D)
     r, z = D * sin(A0) * (1.0 + state.lateral), D * cos(A0) * (1.0 + state.strain)
     return hypot(r, z), atan2(r, z)
@@ -30,7 +30,7 @@ def contact(element: Element) -> tuple[float, float]:
 def test_contacts_part_at_the_rates_of_virtual_work(
     element: Element, eta: float, rate: float
 ) -> None:
-    """To what a step of the fixed route leaves of the rates, which fall where viscosity is."""
+    """To the error of a step of the second route; viscosity reduces the rates."""
     found = sliding_unit.separation_rates(element, D, m=M, eta=eta, rate=rate)
     known = by_work.separation_rates(
         kn=element.kn, mu_p=element.mu_p, d=D, m=M, eta=eta, begin=contact(element),
@@ -46,7 +46,7 @@ def test_contacts_that_viscosity_holds_do_not_end() -> None:
 
 @pytest.mark.parametrize("dt", [4e-8, 2e-8, 1e-8])
 def test_the_energy_that_parting_leaves_is_that_of_its_contacts(dt: float) -> None:
-    """With bonds other than quartzite's, which part five times as fast."""
+    """Also with bonds other than those of quartzite, which separate five times as fast."""
     given = {"ks": OTHER.ks, "xb": OTHER.xb, "fs0": OTHER.fs0, "mu_p": OTHER.mu_p}
     trial = CASE.declare("pressed", {**CASE.defaults("pressed"), **given})
     (balance,) = (q for q in trial.quantities if q.name == "balance")

@@ -1,4 +1,4 @@
-"""Claims about the unit of four bonded elements and the material that its lattice is."""
+"""Claims about the unit of four bonded elements and the material of its lattice."""
 
 from collections.abc import Callable
 from types import ModuleType
@@ -20,11 +20,11 @@ KN, KS = ELEMENT.kn, ELEMENT.ks
 GAMMAS = [0.0, 0.25, 0.5, 1.0, KS / KN]
 STRAINS = [sign * size for size in (1e-6, 1e-4, 5e-3) for sign in (1.0, -1.0)]
 FAILURES = ["tension", "opening", "sliding"]
-AGREEMENT = 1e-11  # of each value, of the lateral one in units of dz; 1e-13 is reached
+AGREEMENT = 1e-11  # relative, the lateral displacement over dz; 1e-13 is reached
 
 
 def apart(state: State, measured: dict[str, float], kn: float = KN) -> float:
-    """The largest relative difference of the routes; nan where one has no answer."""
+    """The largest relative difference of the routes; nan where one has no solution."""
     x = state.x
     pairs = [
         (measured["strain"], state.strain),
@@ -132,12 +132,12 @@ def test_the_printed_friction_relation_states_half_the_confinement() -> None:
 
 
 def test_the_corrected_confinement_is_the_balance_of_eq_9_under_the_true_stress() -> None:
-    """A confined unit at sliding, Eqs. 1 and 9, with the horizontal stress (sqrt6/2) Fx/d^2."""
+    """Eqs. 1 and 9 of a confined unit at sliding, with the horizontal stress (sqrt6/2) Fx/d^2."""
     mu_p, fs0, fx = ELEMENT.mu_p, ELEMENT.fs0, -7.0
     a = np.array([[np.sqrt(6) / 9, np.sqrt(3) / 3], [np.sqrt(3) / 9, -np.sqrt(6) / 3]])
 
     def axial(fx: float) -> float:
-        """Fz < 0 at which -Fs1 = fs0 - mu_p Fn1."""
+        """The axial force Fz < 0 at which -Fs1 = fs0 - mu_p Fn1."""
         (n_z, n_x), (s_z, s_x) = a
         return float((fs0 - mu_p * n_x * fx + s_x * fx) / (mu_p * n_z - s_z))
 
@@ -148,7 +148,7 @@ def test_the_corrected_confinement_is_the_balance_of_eq_9_under_the_true_stress(
 
 @given(st.floats(-60.0, 60.0).filter(lambda f: abs(f) > 1e-3), st.floats(0.0, 1.0))
 def test_small_strains_are_the_limit_of_the_path(fz: float, gamma: float) -> None:
-    """Eqs. 2a-d, and 4 and 6, which are made of them."""
+    """Eqs. 2a-d are that limit, and so are Eqs. 4 and 6, which follow from them."""
     small = tetrahedral_unit.small_strain(fz, KN, gamma * KN)
     strain = 1e-9 * np.sign(fz)
     state = tetrahedral_unit.equilibrium(strain, kn=KN, ks=gamma * KN, d=D)
@@ -161,7 +161,7 @@ def test_small_strains_are_the_limit_of_the_path(fz: float, gamma: float) -> Non
 
 
 def slopes_of_total(g: float) -> tuple[float, float]:
-    """Those of the modulus over E and of Poisson's ratio with the spring `total`, g = ks/kn."""
+    """The slopes of the modulus over E and of Poisson's ratio for the spring `total`; g = ks/kn."""
     E = -2.0 * (g + 3.0) * (4.0 * g - 3.0) / ((g + 1.0) * (g + 5.0) ** 2)
     return E, 6.0 * (g * g - 2.0) / (g + 5.0) ** 3
 

@@ -1,4 +1,4 @@
-"""Claims about the unit that turns far: it is the sine where small, and keeps what it must."""
+"""Claims about a unit in large rotation: its limit is the sine, and invariants are constant."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,9 @@ RATE = 2 * np.sqrt(KS / M)
 
 
 def path(strain: float) -> tuple[np.ndarray, np.ndarray]:
-    """Displacements of a unit thrown to turn by about that angle, and the sine for small ones."""
+    """Displacements of a unit that starts to rotate with this amplitude, and the sine of small
+    ones.
+    """
     thrown = D * strain * ROUND
     moved = turned_unit.path(D * CORNERS, EDGES, RATE * thrown, m=M, kn=KN, ks=KS)(TIMES)
     return moved, np.sin(RATE * TIMES)[:, None, None] * thrown
@@ -31,4 +33,4 @@ def test_its_middle_stays_and_it_turns_about_its_axis_alike() -> None:
     assert np.abs(moved.mean(axis=1)).max() < 1e-10 * np.abs(moved).max()
     outwards = np.linalg.norm((D * CORNERS + moved)[:, 1:, :2], axis=2)
     assert np.ptp(outwards, axis=1).max() < 1e-10 * D
-    assert np.ptp(outwards[:, 0]) > 1e-6 * D  # the turn stretches it
+    assert np.ptp(outwards[:, 0]) > 1e-6 * D  # the rotation stretches the unit

@@ -1,4 +1,6 @@
-"""Claims about bonded elements that may turn: two routes, and the unit, where shear is in vain."""
+"""Claims about bonded elements that can rotate: two routes agree; in the unit, shear is not
+resisted.
+"""
 
 import numpy as np
 import pytest

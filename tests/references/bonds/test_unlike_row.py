@@ -1,4 +1,6 @@
-"""Claims about unlike spheres on unlike bonds: modes and first order against Newton in space."""
+"""Claims about unequal spheres on unequal bonds: modes and first order agree with Newton's
+equations.
+"""
 
 from __future__ import annotations
 
@@ -26,9 +28,9 @@ LENGTH = np.abs(np.diff(ROW.x[ROW.bonds])[:, 0])
 LONGER = LENGTH * np.array([1.01, 0.99, 1.02])
 
 
-@functools.cache  # asked again for every sign
+@functools.cache  # used again for every sign
 def stepped_by_newton(swings: bool) -> np.ndarray:
-    """The same row in space, (k, 4, 3) [m]: swinging aside while it spins, or along itself."""
+    """The same row in space, (k, 4, 3) [m], in lateral motion with spin or along its axis."""
     x, v, w, push = np.zeros((4, 4, 3))
     x[:, 0] = ROW.x
     if swings:
@@ -41,14 +43,14 @@ def stepped_by_newton(swings: bool) -> np.ndarray:
 
 
 def across_agrees(one: ModuleType) -> bool:
-    """Whether what swings aside is what Newton's equations have, to first order."""
+    """Whether the lateral motion satisfies Newton's equations to first order."""
     found = one.across(T, one.Row(**vars(ROW)), r=R, ks=KS, spin=SPIN, v=ASIDE)
     due = stepped_by_newton(True)[:, :, 1:]
     return bool(np.abs(found - due).max() < 1e-9 * np.abs(due).max())
 
 
 def along_agrees(one: ModuleType) -> bool:
-    """Whether what swings along the row is what Newton's equations have."""
+    """Whether the motion along the row satisfies Newton's equations."""
     row = one.Row(**vars(ROW))
     found, _ = one.along(T, row, length=LONGER, v=THROWN, g=9.81, held=False)
     due = stepped_by_newton(False)[:, :, 0]
@@ -64,7 +66,7 @@ def test_a_row_swings_along_itself_in_its_modes() -> None:
 
 
 def held_agrees(one: ModuleType) -> bool:
-    """Whether all momentum that a held row lacks went into what holds it."""
+    """Whether the momentum that a held row loses equals the impulse of the support."""
     row, many = one.Row(**vars(ROW)), np.linspace(0.0, 0.3, 3001)
     still = np.where(np.arange(4) > 0, THROWN, 0.0)
     u, reaction = one.along(many, row, length=LENGTH, v=still, g=9.81, held=True)
@@ -78,7 +80,7 @@ def held_agrees(one: ModuleType) -> bool:
 
 
 def slowed_agrees(one: ModuleType) -> bool:
-    """Whether drag slows unlike spheres as Newton's equations have it."""
+    """Whether drag decelerates unequal spheres according to Newton's equations."""
     row, x, v = one.Row(**vars(ROW)), np.zeros((4, 3)), np.zeros((4, 3))
     x[:, 0], v[:, 0] = ROW.x, THROWN
     found = one.slowed(T, row, length=LONGER, v=THROWN, eta=15.0)

@@ -1,1 +1,1 @@
-"""Claims about the references of what strains a code."""
+"""Claims about the references of many spheres."""

@@ -1,4 +1,4 @@
-"""Claims about a column of grains in layers, and about the laws that were measured of it."""
+"""Claims about a column of grains in layers, and about the measured laws of its collapse."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Claims about a gas of spheres: theory meets hard spheres followed from collision to collision."""
+"""Claims about a gas of spheres: the theory agrees with event-driven hard spheres."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_spheres_meet_each_other_and_walls_as_often_as_theory_says() -> None:
     flights = [hard.flight(*start(seed), SIDE, (1.0, 1.0), 2000) for seed in range(SEEDS)]
     found, spent = cooling.gas(COUNT, **HARD), sum(one.times[-1] for one in flights)
     pairs, walls = sum(one.pairs for one in flights), sum(one.walls for one in flights)
-    assert pairs / spent == pytest.approx(found.pairs, rel=0.03)  # 7600 contacts: 1.1 %
+    assert pairs / spent == pytest.approx(found.pairs, rel=0.03)  # 1.1 % of 7600 contacts
     assert walls / spent == pytest.approx(found.walls, rel=0.03)
     assert flights[0].energy[-1] == pytest.approx(1.5 * COUNT)
 
@@ -46,7 +46,7 @@ def test_it_cools_as_theory_says_with_walls_that_take_a_third() -> None:
 
 
 def test_dilute_spheres_meet_as_if_there_were_no_others() -> None:
-    """Boltzmann's rate 2 n^2 d^2 sqrt(pi T/m) a volume, and n sqrt(T/2 pi m) an area of wall."""
+    """Boltzmann's rates: 2 n^2 d^2 sqrt(pi T/m) per volume, n sqrt(T/2 pi m) per area of wall."""
     few = cooling.gas(1000, side=1001.0, d=1.0, m=2.0, kn=1e12, temperature=3.0)
     n = 1000 / 1000.0**3
     assert few.pairs == pytest.approx(2 * n**2 * 1e9 * math.sqrt(math.pi * 1.5), rel=5e-3)
@@ -71,7 +71,7 @@ def test_softer_spheres_count_as_smaller_ones() -> None:
 
 
 def test_contacts_at_a_time_are_those_of_a_gibbs_ensemble() -> None:
-    """Of a dilute gas: n^2 V/2 4 pi d^2 g times the integral of exp(-kn u^2/2 T) over overlaps."""
+    """For a dilute gas: n^2 V/2 4 pi d^2 g times the integral of exp(-kn u^2/2 T) over overlaps."""
     few = cooling.gas(1000, side=1001.0, d=1.0, m=2.0, kn=1e8, temperature=3.0)
     n, width = 1000 / 1000.0**3, math.sqrt(math.pi * 3.0 / 2e8)
     pairs, walls = 2 * math.pi * n**2 * 1e9 * width, 6e6 * n * width

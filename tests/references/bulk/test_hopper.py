@@ -1,4 +1,4 @@
-"""Claims about a hole that grains surround, and about the law of what leaves through it."""
+"""Claims about a hole surrounded by grains, and about the law of the discharge through it."""
 
 import math
 

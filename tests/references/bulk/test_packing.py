@@ -1,4 +1,4 @@
-"""Claims about frictionless spheres at rest: the minimum of energy has as many contacts."""
+"""Claims about frictionless spheres at rest: a minimum of energy has three contacts a sphere."""
 
 import numpy as np
 import pytest

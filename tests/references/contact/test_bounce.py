@@ -1,4 +1,4 @@
-"""Claims about bouncing spheres: two routes agree on them, and on limits that are known."""
+"""Claims about bouncing spheres: two routes agree, also with known limits."""
 
 import functools
 from math import pi
@@ -34,12 +34,12 @@ PAIR: Parameters = {
     "v_n": 0.04, "v_t": 0.03, "w1": 0.2, "w2": -0.4, "load": 26.0,
 }  # fmt: skip
 PAIRS: list[Parameters] = [{}, {"load": 0.0}, {"ks": 7.5e6, "mu": 0.5}, {"v_t": -0.05, "w1": -0.3}]
-# signs that decide how far a search goes, or when it gives up
+# signs that only affect the range of a search or its limit
 EFFORT = ("-1", "end - flight.begin", "1.0 + 1e-12")
 
 
 def apart(a: Array, b: Array) -> float:
-    """The largest distance over the largest value; nan where a route has no answer."""
+    """The largest difference over the largest value; nan where a route has no solution."""
     return float(np.max(np.abs(a - b)) / np.max(np.abs(b)))
 
 
@@ -73,7 +73,7 @@ def test_they_agree_over_the_class(v_t: float, w: float, mu: float) -> None:
 
 
 def contacts(**changes: float) -> list[str]:
-    """What the sphere does on the floor, contact by contact: s sticks, S slips."""
+    """The phases of each contact with the floor: s for stick, S for slip."""
     stages = bounce.floor_stages(0.036, **(FLOOR | changes))
     words = {"flight": " ", "stick": "s", "slip": "S"}
     return "".join(words[stage.name] for stage in stages).split()
@@ -122,7 +122,7 @@ def test_friction_keeps_the_angular_momentum_about_the_point_of_contact() -> Non
 
 
 def test_a_heavy_second_sphere_is_a_floor_to_the_first_few() -> None:
-    """As the other sphere grows, its surface becomes the floor; the arms differ by U/2r = 1e-5."""
+    """A growing second sphere tends to a floor; the lever arms differ by U/2r = 1e-5."""
     big = {"r1": 1e4, "r2": 0.1, "w1": 0.0, "w2": 0.5, "kn": 2e10, "ks": 3e10, "mu": 0.5}
     m = 2500.0 * 4.0 / 3.0 * pi * 0.1**3
     two = pair(bouncing_pair, SHORT, **big, v_n=0.0, v_t=0.02, load=9.81 * m)
@@ -133,20 +133,20 @@ def test_a_heavy_second_sphere_is_a_floor_to_the_first_few() -> None:
 
 @functools.cache
 def known() -> tuple[list[Array], list[Array]]:
-    """What a route with a wrong sign must miss."""
+    """The displacements by the closed forms, which wrong signs must change."""
     return [floor(bounce, SHORT, **p) for p in THROWS], [
         pair(bouncing_pair, SHORT, **p) for p in PAIRS
     ]
 
 
 def same_floor(route: ModuleType) -> bool:
-    """Whether a route gives what is known of the floor."""
+    """Whether a route has the known displacements on the floor."""
     pairs = zip(THROWS, known()[0], strict=True)
     return all(apart(floor(route, SHORT, **p), moved) < AGREEMENT for p, moved in pairs)
 
 
 def same_pair(route: ModuleType) -> bool:
-    """Whether a route gives what is known of the pair."""
+    """Whether a route has the known displacements of the pair."""
     pairs = zip(PAIRS, known()[1], strict=True)
     return all(apart(pair(route, SHORT, **p), moved) < AGREEMENT for p, moved in pairs)
 

@@ -1,4 +1,4 @@
-"""Claims about a spring and a dashpot that never pull: two routes, and how codes meet them."""
+"""Claims about a spring and a dashpot without tension: two routes agree, and codes follow."""
 
 from __future__ import annotations
 
@@ -87,7 +87,9 @@ def test_exact_and_dem_return_it_as_the_formula_says(z: float) -> None:
 
 @pytest.mark.parametrize("solve", [exact.solve, dem.solve_default, dem.solve_published])
 def test_what_the_dashpot_takes_is_booked(solve: object) -> None:
-    """All that the restitution leaves out of the kinetic energy, also of a contact that parted."""
+    """It is the loss of kinetic energy that the restitution implies, also of contacts that have
+    ended.
+    """
     run: Run = solve(asked(0.6, 5e-6))  # type: ignore[operator]
     ledger = run.ledger
     assert ledger is not None
@@ -98,7 +100,7 @@ def test_what_the_dashpot_takes_is_booked(solve: object) -> None:
 
 
 def test_a_contact_that_pulled_would_be_seen() -> None:
-    """What is returned at the end of the overlap is less, by far more than any tolerance."""
+    """The restitution at the end of the overlap is smaller by far more than any tolerance."""
     z = 0.3
     assert exp(-pi * z / sqrt(1 - z * z)) < 0.9 * closed.restitution(z)
 

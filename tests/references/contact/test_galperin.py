@@ -1,4 +1,4 @@
-"""Claims about the balls that count pi: two routes agree on them, and springs change nothing."""
+"""Claims about the balls that count pi: two routes agree, and springs change no count."""
 
 from fractions import Fraction
 from types import ModuleType
@@ -22,7 +22,7 @@ CASE = find().load_case("galperin")
 START = {"x": 1.0, "X": 1.1, "v": 1.0}
 RATIOS = [2.0, 7.7, 100.0, 3e4]
 KNOWN = [(1e2, 31), (1e4, 314), (1e6, 3141), (1e8, 31415)]
-# a sign that decides only where rounding would
+# a sign that matters only within rounding
 EFFORT = ("fits - round(fits)",)
 
 
@@ -33,7 +33,7 @@ def test_the_collisions_spell_pi(ratio: float, digits: int) -> None:
 
 
 def test_equal_balls_collide_three_times() -> None:
-    """Where the wedge fits a whole number of times, what happens has one collision less."""
+    """Where the wedge fits a whole number of times, one collision fewer occurs."""
     found, last = followed.collide(1.0, 1.0, x=1.0, X=1.1, v=1.0)
     assert found == 3
     assert last == pytest.approx(2.1)
@@ -50,10 +50,10 @@ def test_the_two_routes_agree(ratio: float, x: float, far: float, v: float) -> N
     try:
         due = unfolded.collisions(2.0, 2.0 * ratio)
     except ValueError:
-        return  # at the edge of one more
+        return  # on the border to one more collision
     found, last = followed.collide(2.0, 2.0 * ratio, x=x, X=far * x, v=v)
     assert found == due
-    # near the edge the last collision is far off, and its time as blurred
+    # near the border the last collision is late, and its time is as inaccurate
     assert last == pytest.approx(unfolded.last(2.0, 2.0 * ratio, x, far * x, v), rel=1e-6)
 
 
@@ -63,7 +63,7 @@ def _ask(variant: str) -> Ask:
 
 
 def _closed(scene: Scene, duration: float) -> int:
-    """How often a contact closes, from the events of the exact engine."""
+    """The number of times a contact closes, from the events of the exact engine."""
     ask = Ask(scene, History(duration, duration), (Velocity(1),))
     path = exact.move(exact.prepare(ask), duration)
     assert isinstance(path, exact.Path)
@@ -88,7 +88,7 @@ def test_what_the_outputs_show_is_what_the_contacts_did() -> None:
 
 
 def test_a_leapfrog_miscounts_at_five_steps_a_contact_but_not_at_forty() -> None:
-    """So few steps change the speed by some per cent at each collision; the case sees it."""
+    """So few steps change the speed by some per cent in each collision, which the case detects."""
     trial = CASE.declare("31", CASE.defaults("31"))
     study, (count,) = trial.study, trial.quantities
     fine, touch = study.rungs[Level.DEFAULT][1], np.pi / np.sqrt(1.6e6)
@@ -99,7 +99,7 @@ def test_a_leapfrog_miscounts_at_five_steps_a_contact_but_not_at_forty() -> None
 
 
 def _same(route: ModuleType) -> bool:
-    """Whether a route gives what is known of the number and of the last time."""
+    """Whether a route has the known number of collisions and the known time of the last."""
     for ratio in RATIOS:
         due = followed.collide(1.0, ratio, x=1.0, X=1.1, v=1.0)
         if hasattr(route, "collide"):

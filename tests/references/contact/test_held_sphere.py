@@ -1,4 +1,4 @@
-"""Claims about a sphere held between walls by friction: two routes to its height agree."""
+"""Claims about a sphere held between walls by friction: two routes agree on its height."""
 
 import numpy as np
 import pytest

@@ -1,8 +1,9 @@
-"""Claims about what a step leaves of a bounce whose shear spring is charged as a contact closes.
+"""Claims about the error of a bounce whose shear spring is loaded over the whole closing step.
 
-YADE and LIGGGHTS charge it for the whole step in which the contact closes. That rule is stepped
-here by itself and has their digits; charged for the part of the step in which there is contact,
-the spring leaves a fifth of the error or less. So it is this rule, and no floor, that is seen.
+YADE and LIGGGHTS increment the shear spring by the slip of the whole step in which the contact
+closes. This rule is integrated here on its own and has the errors of both codes to their digits. If
+the spring is loaded only for the part of the step in contact, at most a fifth of the error remains.
+The error is therefore due to this rule, and is no floor.
 """
 
 import math
@@ -15,13 +16,15 @@ from reference_solutions.contact import bounce
 RADIUS, MU, G, GAP, SPEED, SPIN, KN, KS = 0.0843, 0.782, 9.89, 1.36e-4, 0.0147, 0.5, 2e10, 3e10
 DENSITY, DURATION = 1760.0, 0.036
 MASS = DENSITY * 4.0 / 3.0 * math.pi * RADIUS**3
-CODES = {5e-7: 2.04e-3, 2.5e-7: 4.32e-4}  # step [s]: error of both codes, of the way
+CODES = {5e-7: 2.04e-3, 2.5e-7: 4.32e-4}  # step [s]: relative error of both codes
 
 
 def _thrown(dt: float, whole: bool) -> float:
-    """Way along the throw [m] after DURATION, by leapfrog with slip of half a step before.
+    """The tangential displacement [m] after DURATION, by leapfrog with the slip of half a step
+    before.
 
-    whole: charge the spring for all of the step in which the contact closes, or for its part.
+    whole: load the spring for the whole step in which the contact closes, or for its part in
+    contact.
     """
     inertia, way, height = 0.4 * MASS * RADIUS**2, 0.0, RADIUS + GAP
     along, up, spin, spring = SPEED, 0.5 * G * dt, SPIN, 0.0

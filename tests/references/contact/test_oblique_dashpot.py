@@ -1,4 +1,4 @@
-"""Claims about an oblique impact on a spring, a dashpot and friction: two routes to it agree."""
+"""Claims about an oblique impact on a spring, a dashpot and friction: two routes agree."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ T = np.linspace(0.0, 0.05, 6)
 
 
 def agree(impact: Impact, motion: object = oblique_dashpot.motion) -> bool:
-    """Whether the routes agree on the path: one in closed form across the wall, one in no part."""
+    """Whether the path agrees with event location; only the route under test has closed forms."""
     found = np.stack(motion(T, impact), axis=1)  # type: ignore[operator]
     due = event_located(oblique(impact), T, 1e-3)[:, 0]
     return bool(np.abs(found - due).max() < 1e-11 * np.abs(due).max())

@@ -1,4 +1,4 @@
-"""Claims about the sphere that bounces to rest: two routes agree, and it rests where it must."""
+"""Claims about the sphere that bounces to rest: two routes agree, also on the position of rest."""
 
 from math import exp, pi, sqrt
 from types import ModuleType
@@ -22,7 +22,7 @@ CASE = find().load_case("settling")
 DROP = {"m": 1.0, "kn": 1e6, "eta": 20.0, "g": 9.81, "height": 2e-3}
 OTHER = {"m": 3.0, "kn": 1e6, "eta": 150.0, "g": 7.0, "height": 4e-3}
 T = np.linspace(0.0, 0.45, 901)
-# signs that decide how far a search goes, and which the direction of an event tells otherwise
+# signs that only affect the range of a search, or that the direction of an event determines too
 EFFORT = ("2.0 * top + sqrt(2.0 * stage.z / g) + stage.z * c / g",
           "2.0 * top + sqrt(2.0 * stage.z / g)", "n * b + sunk * wd", "-1", "-1.0")  # fmt: skip
 
@@ -58,7 +58,7 @@ def test_it_bounces_30_times_and_rests_where_the_spring_carries_it() -> None:
 
 
 def test_a_contact_without_gravity_to_speak_of_returns_what_drag_leaves() -> None:
-    """v'/v = exp(-n pi/wd): the law of T2."""
+    """v'/v = exp(-n pi/wd), the restitution in T2."""
     p = {**DROP, "eta": 2.0, "height": 10.0}
     _, contact, flight, *_ = closed.stages(**p)
     wd = sqrt(1e6 - 1.0)
@@ -77,7 +77,7 @@ def test_the_exact_engine_leaves_the_floor_as_often() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives what is known."""
+    """Whether a route has the known motion."""
     for p in (DROP, OTHER):
         found = route.settling(T, **p)
         found = found[0] if isinstance(found, tuple) else found

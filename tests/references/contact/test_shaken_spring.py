@@ -1,4 +1,4 @@
-"""Claims about a mass on a shaken spring: two routes, and what a sphere in a corner meets."""
+"""Claims about a mass on a shaken spring: two routes agree, also for a sphere in a corner."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims about the closed forms of T1 to T4: they agree with a second route that can disagree."""
+"""Claims about the closed forms of T1 to T4: they agree with an independent second route."""
 
 import ast
 import inspect
@@ -46,7 +46,7 @@ def disagreement(
     changes: dict[str, float],
     routes: tuple[ModuleType, ModuleType] = (closed, integrated),
 ) -> float:
-    """max |y1 - y2| / max |y1| over t; nan where a route has no answer."""
+    """max |y1 - y2| / max |y1| over t; nan where a route has no solution."""
     a, b = (getattr(route, test)(t, **pick(NEEDS[test], **changes)) for route in routes)
     return float(np.max(np.abs(a - b)) / np.max(np.abs(a)))
 
@@ -62,7 +62,7 @@ def signs(route: ModuleType) -> range:
 
 
 def copy(route: ModuleType, turned: int | None) -> ModuleType:
-    """The route from its source, with the sign of that index turned."""
+    """A copy of the route from its source, in which the sign of that index is reversed."""
     tree = ast.parse(inspect.getsource(route))
     node = None if turned is None else [node for node in ast.walk(tree) if is_sign(node)][turned]
     if isinstance(node, ast.BinOp):
@@ -75,7 +75,7 @@ def copy(route: ModuleType, turned: int | None) -> ModuleType:
 
 
 def agrees(route: ModuleType, turned: int | None) -> bool:
-    """Whether all four tests agree after the turn; a route that cannot finish does not."""
+    """Whether all four tests agree with a sign reversed; a route that fails to finish does not."""
     try:
         changed = copy(route, turned)
         routes = (changed, integrated) if route is closed else (closed, changed)

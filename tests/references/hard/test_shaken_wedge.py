@@ -1,4 +1,4 @@
-"""Claims about a wedge under a sine: two routes agree, also where it slides up."""
+"""Claims about a wedge under a sine: two routes agree, also where it slides upwards."""
 
 import math
 from types import ModuleType
@@ -22,7 +22,7 @@ LAWS = [
 def apart(
     route: ModuleType, second: ModuleType = stepped, steps: int = 20_000, laws: slice = slice(4)
 ) -> float:
-    """The largest difference [m] of the two routes after 2 s, in which metres are slid."""
+    """The largest difference [m] of the two routes after 2 s, in which the wedge slides metres."""
     off = []
     for law in LAWS[laws]:
         for level, way in ((False, route.along), (True, route.level)):
@@ -33,7 +33,7 @@ def apart(
 
 def test_the_two_routes_agree() -> None:
     assert apart(shaken_wedge, laws=slice(3)) < 1e-5
-    assert apart(shaken_wedge, laws=slice(3, 4)) < 1e-4  # it turns, where steps are first order
+    assert apart(shaken_wedge, laws=slice(3, 4)) < 1e-4  # reversals are of first order
 
 
 def test_a_right_angle_gives_what_was_seen() -> None:

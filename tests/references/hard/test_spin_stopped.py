@@ -1,4 +1,4 @@
-"""Claims about an impact that stops two spins: two routes, and that nothing but it would do."""
+"""Claims about an impact that stops two spins: two routes agree, and no other spins are stopped."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ INERTIAS = np.array([
 
 
 def agree(one: ModuleType, other: ModuleType, arms: np.ndarray, **law: float) -> bool:
-    """Whether by the second route no spin is left, and both go on as the first has it."""
+    """Whether the second route leaves no spin, and both bodies have the velocity of the first."""
     spins = one.spins(arms, INERTIAS, N, **law)
     found = other.after(arms, INERTIAS, N, spins, **law).reshape(4, 3)
     due = np.array([one.together(**law) * N] * 2 + [np.zeros(3)] * 2)

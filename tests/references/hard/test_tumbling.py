@@ -1,4 +1,4 @@
-"""Claims about a tumbling body that lands: elliptic functions against Euler's equations."""
+"""Claims about a tumbling body that lands: elliptic functions agree with Euler's equations."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ BODY = {
     "corners": CORNERS * SIDES,
     "axes": AXES,
 }
-SPINS = {  # L goes round the axis of the least inertia, or of the greatest, this way or that
+SPINS = {  # rotation about the axis of least or greatest inertia, in either direction
     "least": (2.5, 0.8, -0.4),
     "greatest": (0.5, 0.9, 2.5),
     "backwards": (-0.5, 0.9, -2.5),
@@ -33,14 +33,14 @@ SPINS = {  # L goes round the axis of the least inertia, or of the greatest, thi
 T = np.linspace(0.0, 1.2, 5)
 
 
-@functools.cache  # asked again for every sign
+@functools.cache  # used again for every sign
 def flown(w: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
     """Spins and rotations by the second route."""
     return stepped.flight(T, BODY["inertia"], AXES, np.array(w))
 
 
 def flies(one: ModuleType, w: tuple[float, ...]) -> bool:
-    """Whether spins and rotations are those of Euler's equations."""
+    """Whether spins and rotations satisfy Euler's equations."""
     spins, rotations = flown(w)
     own = one.spins(T, BODY["inertia"], np.array(w))
     turns = one.turned(T, one.Body(**BODY), np.array(w))
@@ -62,7 +62,7 @@ def test_any_spin_about_any_order_of_axes_flies_so(w: tuple[float, ...], order: 
 
 
 def lands(one: ModuleType) -> bool:
-    """Whether a corner just touches at the landing, none before, and all laws hold of the blow."""
+    """Whether a corner touches at the landing, none before, and the impact satisfies all laws."""
     body, w, V = one.Body(**BODY), np.array(SPINS["beside the middle"]), 0.5
     met = one.landing(body, w, N, height=0.8, V=V, latest=2.0)
     times = np.linspace(0.0, met.t, 50)

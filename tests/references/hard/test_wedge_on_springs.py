@@ -1,4 +1,4 @@
-"""Claims about a sphere that slides down a groove on springs: two routes to its way agree."""
+"""Claims about a sphere that slides down a groove on springs: two routes agree on its path."""
 
 import numpy as np
 import pytest

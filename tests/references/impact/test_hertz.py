@@ -1,4 +1,4 @@
-"""Claims about Hertz's impact: known figures, and three routes that agree to 1e-10."""
+"""Claims about Hertz's impact: known values, and three routes that agree to 1e-10."""
 
 import math
 
@@ -31,7 +31,7 @@ def test_a_magnesium_sphere_meets_a_rigid_wall_with_the_known_force_and_duration
     assert hertz.contact_time(**law) == pytest.approx(7.67065e-4, rel=3e-6)
 
 
-@settings(max_examples=25)  # the first pays for imports
+@settings(max_examples=25)  # the first call includes imports
 @given(m=positive, K=positive, v=positive)
 def test_the_duration_is_the_quadrature_of_the_energy_integral(
     m: float, K: float, v: float

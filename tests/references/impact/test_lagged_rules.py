@@ -1,8 +1,10 @@
-"""Claims about what steps leave of impacts where a shear spring takes its arm from a step's end.
+"""Claims about the error of impacts where the lever arm of the shear spring is that of a step's
+end.
 
-YADE and Kratos add (velocity of half a step before) x dt to the slip, and take the arm, and YADE
-the stiffness too, where the step ends. This rule is stepped here by itself: it has the digits that
-the codes print, and leads to the exact answer of their law, so that they have no floor.
+YADE and Kratos increment the slip by dt times the velocity half a step earlier. They take the lever
+arm, and YADE the stiffness too, from the end of the step. This rule is integrated here on its own:
+it has the errors of the codes to their printed digits, and converges to the exact solution of their
+law, so that they have no floor.
 """
 
 import math
@@ -24,13 +26,13 @@ ON_GLASS = Law(
     hertz.shear_factor(modulus=SHEAR, radius=0.0025),
     0.092, a=1.0, b=1.0,
 )  # fmt: skip
-YADE = {  # degrees of kharaz:hertz at 3.9 m/s: errors over the speed, by the steps of STEPS
+YADE = {  # degrees of kharaz:hertz at 3.9 m/s: errors over the speed, for each of STEPS
     2.24: (2.277e-4, 1.148e-4, 5.866e-5, 1.486e-5, 3.751e-6),
     4.22: (5.116e-4, 2.632e-4, 1.350e-4, 3.459e-5, 8.768e-6),
     6.0025: (4.125e-4, 2.503e-4, 1.460e-4, 4.459e-5, 1.221e-5),
     20.22: (2.322e-4, 1.118e-4, 5.782e-5, 1.436e-5, 3.595e-6),
 }
-STEPS = (100, 200, 400, 1600, 6400)  # in a normal impact
+STEPS = (100, 200, 400, 1600, 6400)  # steps in a normal impact
 GRAIN = Sphere(1e-5, 1400 * 4.0 / 3.0 * math.pi * 1e-5**3)
 SOFT = Law(2071.242175301532, 1553.431631476149, 0.3, 1.0, a=1.0, b=1.0)
 KRATOS = (6.557e-5, 2.602e-5, 1.427e-5, 3.581e-6, 9.167e-7)  # along-polyethylene-linear, slip 4
@@ -41,7 +43,7 @@ def _stepped(
 ) -> tuple[float, float]:
     """Velocities along the normal and across it after an impact on a wall, by leapfrog.
 
-    late: where in the step stiffness and arm are taken for the slip; a middle is second order.
+    late: the point of the step whose stiffness and arm apply to the slip; 0.5 is of second order.
     """
     inertia, arm, before, spring = 0.4 * one.mass * one.radius**2, one.radius, 0.0, 0.0
     out, across, spin = -vn, vt, 0.0
@@ -63,7 +65,7 @@ def _errors(
     law: Law, one: Sphere, start: tuple[float, float], unit: float,
     steps: Sequence[int] = STEPS, late: float = 1.0,
 ) -> list[float]:  # fmt: skip
-    """Errors over the speed before the impact at a unit [s] over so many steps."""
+    """Errors over the speed before the impact, at these numbers of steps in a unit of time [s]."""
     due = rebound(law, one, vn=start[0], vt=start[1])
     found = [_stepped(law, one, *start, unit / n, late) for n in steps]
     return [math.dist(each, (due.normal, due.tangential)) / math.hypot(*start) for each in found]

@@ -1,4 +1,6 @@
-"""Claims about MFiX's DEM cases 01 to 04 and 06: two routes agree, and print is explained."""
+"""Claims about MFiX's DEM cases 01 to 04 and 06: two routes agree, and printed values are
+explained.
+"""
 
 import math
 
@@ -19,7 +21,7 @@ SLIDE = slip_to_roll.Sliding(m=1e4 * SMALL, ks=1e4, mu=0.2, g=G, v0=0.1)
 
 
 def pulling(e: float) -> float:
-    """The damping that leaves the restitution e if contact may pull."""
+    """The damping ratio of the restitution e if the contact force may become tensile."""
     return -math.log(e) / math.hypot(math.pi, math.log(e))
 
 
@@ -98,7 +100,7 @@ def test_a_sphere_sinks_at_first_under_its_weight_and_in_the_end_evenly() -> Non
 
 
 def test_mfix_prints_a_particle_that_sinks() -> None:
-    """In its frame, in which the gas rises at 0.4 m/s; position at first 0.0925 m."""
+    """In the frame of MFiX the gas rises at 0.4 m/s; the initial position is 0.0925 m."""
     times = np.array([0.01, 0.05, 0.1, 0.2, 0.35])
     depth, speed = motion(times, PARTICLE)
     exact = [-0.01255261, -0.04078891, -0.05263133, -0.05701037, -0.05739251]

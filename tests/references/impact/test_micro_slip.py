@@ -1,4 +1,4 @@
-"""Claims about impacts that slip in part: two routes agree, limits and conservation hold."""
+"""Claims about impacts with partial slip: two routes agree, limits and conservation laws hold."""
 
 import math
 
@@ -17,7 +17,7 @@ LAW = Law(
     hertz.shear_factor(modulus=1.33e10, radius=RADIUS),
     MU,
 )
-ANGLE = math.degrees(math.atan(1.5 * MU * LAW.K / LAW.S))  # up to which impacts begin stuck
+ANGLE = math.degrees(math.atan(1.5 * MU * LAW.K / LAW.S))  # impacts stick at first up to it
 
 
 def _start(degrees: float) -> dict[str, float]:
@@ -59,7 +59,7 @@ def test_what_slips_throughout_knows_nothing_of_micro_slip(degrees: float) -> No
 
 @pytest.mark.parametrize("degrees", [0.01, 0.1])
 def test_with_hardly_any_slip_it_is_mindlins_stiffness_by_increments(degrees: float) -> None:
-    """At the edge something slips at any angle: by a share that falls with it."""
+    """At any angle the edge of the contact slips, in a share that decreases with the angle."""
     with_it, without = _after(degrees), rebound.rebound(LAW, BALL, **_start(degrees))
     start = _start(degrees)["vt"]
     assert abs(with_it.tangential - without.tangential) / start < 0.25

@@ -1,4 +1,4 @@
-"""Claims about oblique impacts: two routes agree, and printed answers of others are explained."""
+"""Claims about oblique impacts: two routes agree, and printed results of others are explained."""
 
 import math
 
@@ -113,7 +113,7 @@ def test_mfix_prints_hertz_with_a_spring_of_todays_stiffness_and_the_arm_of_the_
     after = _struck(Law(4.1968e9, 5.4084e9, MU, a=1.0, b=1.0, h=1.0), degrees)
     kept = after.tangential / (SPEED * math.sin(math.radians(degrees)))
     assert kept == pytest.approx(printed[0], rel=3e-3)
-    # spin is small against what slipping makes of it: 3e-3 of the largest, 620 1/s
+    # the bound on the spin is 3e-3 of the largest spin, 620 1/s
     assert after.spin == pytest.approx(printed[1], abs=3e-3 * 620)
 
 
@@ -121,14 +121,15 @@ MFIX_LINEAR = {  # degrees: tangential restitution, spin [1/s]; case DEM05, part
     2.5: (0.8469, 25.8477), 5.0: (0.7981, 68.2099), 10.0: (0.6556, 231.9435),
     15.0: (0.5971, 404.5505), 20.0: (0.5946, 538.0793), 30.0: (0.6813, 618.8437),
 }  # fmt: skip
-MFIX_STEPS = 50.0  # in a contact of two of its spheres with each other, which is the shortest
+MFIX_STEPS = 50.0  # steps in a contact of two spheres, the shortest of all
 
 
 def _mfix(degrees: float, steps: float = MFIX_STEPS) -> tuple[float, float]:
-    """Tangential restitution and spin [1/s] by the rule of Adams and Bashforth, as MFiX has it.
+    """Tangential restitution and spin [1/s] by the Adams-Bashforth method as implemented in MFiX.
 
-    It starts the sphere 3 mm above the wall, charges the shear spring by the slip at the end of
-    a step times the step, caps it there, and has arms of the distance of the centre.
+    It starts the sphere 3 mm above the wall, increments the shear spring by the slip velocity at
+    the end of a step times the step, limits it there, and uses the distance of the centre as lever
+    arm.
     """
     kn, ks = LINEAR
     mass, dt = ALUMINA.mass, math.pi * math.sqrt(0.5 * ALUMINA.mass / kn) / steps

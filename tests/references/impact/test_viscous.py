@@ -1,4 +1,4 @@
-"""Claims about impacts with losses: the closed form, integration and other answers agree."""
+"""Claims about impacts with losses: closed form, integration and other solutions agree."""
 
 import math
 
