@@ -1,6 +1,4 @@
-"""Checks of the parameters of formulas: each raises ValueError with the name, the value and the
-rule.
-"""
+"""Checks of parameters of formulas; they raise ValueError with name, value and rule."""
 
 from math import isfinite
 

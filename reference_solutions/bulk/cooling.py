@@ -75,9 +75,7 @@ def flatness(count: int) -> float:
 
 
 def _filled(count: int, room: float) -> float:
-    """The solid fraction in the interior of this many spheres, some of which lie at walls and
-    edges.
-    """
+    """The interior solid fraction of this many spheres, some of which lie at walls and edges."""
     low, high = 0.0, 0.6
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)

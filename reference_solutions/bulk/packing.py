@@ -14,7 +14,5 @@ would require special sizes (Moukarzel 1998; Roux 2000).
 
 
 def weight(mass: NDArray[np.float64], g: float) -> float:
-    """The force on the floor [N], the total weight: frictionless walls exert horizontal forces
-    only.
-    """
+    """The force on the floor [N], the total weight, as frictionless walls only push sideways."""
     return float(mass.sum() * g)

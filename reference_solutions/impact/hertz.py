@@ -20,7 +20,7 @@ BETA = gamma(0.4) * gamma(0.5) / gamma(0.9)  # B(2/5, 1/2)
 def effective_modulus(young: float, poisson: float) -> float:
     """E [Pa] of a body in contact with a rigid one, 1/E = (1 - nu^2)/Young's modulus.
 
-    For two elastic bodies, 1/E is the sum of both.
+    For two elastic bodies, 1/E is the sum of their two terms.
     """
     return young / (1.0 - poisson**2)
 
@@ -28,7 +28,7 @@ def effective_modulus(young: float, poisson: float) -> float:
 def effective_shear_modulus(young: float, poisson: float) -> float:
     """G [Pa] of a body in contact with a rigid one, 1/G = (2 - nu)/shear modulus.
 
-    For two elastic bodies, 1/G is the sum of both.
+    For two elastic bodies, 1/G is the sum of their two terms.
     """
     return young / (2.0 * (1.0 + poisson) * (2.0 - poisson))
 

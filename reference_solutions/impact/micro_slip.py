@@ -115,9 +115,7 @@ class _Contact:
         return max(self.impact.frame(y)[2], 0.0)
 
     def inner(self, t: float, y: Array, sign: float) -> Inner:
-        """sqrt(d) of the innermost point that slips in this direction, and the slide and T stored
-        there.
-        """
+        """sqrt(d) of the innermost point that slips in this direction, its stored slide and T."""
         overlap = self.overlap(y)
         if not self.parts:
             return 0.0, 0.0, 0.0

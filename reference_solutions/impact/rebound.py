@@ -32,8 +32,8 @@ MOST = 20  # changes between stick and slip; more of them count as a failure
 class Law:
     """K, S [N/m^p], friction mu, exponent p, and z of D = 2 z sqrt(m p K), m the reduced mass.
 
-    a, b: the lever arms of slip and of torque are R - a U and R - b U. h: T' has the term h (p - 1)
-    T U'/U besides the increments; h = 0 for increments alone, 1 for a spring of the current
+    a, b: the lever arms of slip and of torque are R - a U and R - b U. h: besides the increments,
+    T' has the term h (p - 1) T U'/U; h = 0 for increments alone, 1 for a spring of the current
     stiffness.
     """
 
@@ -215,9 +215,7 @@ class Impact:
         return -copysign(1.0, slip) if slips else 0.0
 
     def until_change(self, time: float, y: Array, slips: float) -> tuple[float, Array, bool]:
-        """The time and state where the contact ends, or slip begins or ends; whether the contact
-        ended.
-        """
+        """The time and state where contact ends, or slip begins or ends; whether contact ended."""
 
         from scipy.integrate import solve_ivp
 

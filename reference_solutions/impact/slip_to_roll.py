@@ -32,9 +32,7 @@ class Sliding(NamedTuple):
     q: float = 3.5
 
     def checked(self) -> "Sliding":
-        """The parameters themselves; raises ValueError if they are impossible or the sphere never
-        slips.
-        """
+        """The parameters; raises ValueError if they are impossible or the sphere never slips."""
         require_positive("in SI units", **self._asdict())
         if not self.most < 1.0:
             raise ValueError(f"mu = {self.mu}; the spring holds the sphere, which never slips")

@@ -76,9 +76,7 @@ class _Swing:
         return float(self.m * max(self.y(p), 0.0) ** 0.2 * self.slowing(p))
 
     def time(self, p: float) -> float:
-        """t [s], the integral of u^(-1/4) ds; with the phase p x^5 the integrand is smooth at x =
-        0.
-        """
+        """t [s], the integral of u^(-1/4) ds; over x with the phase p x^5 it has no singularity."""
         from scipy.integrate import quad
 
         def part(x: float) -> float:

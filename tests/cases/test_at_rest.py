@@ -1,6 +1,6 @@
-"""Claims about what parameters hold at rest: a code that answers zero passes, one that creeps not.
+"""Claims about parameters that keep bodies at rest: zero displacement passes, creep fails.
 
-A reference of zeros, or of their rounding, gives errors no scale; a case states a physical one.
+A reference of zeros, or of their rounding, gives no scale for errors; a case states a physical one.
 """
 
 from __future__ import annotations

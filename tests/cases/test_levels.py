@@ -1,4 +1,4 @@
-"""Claims about the settings of each level: what an order and a stiffness are seen by."""
+"""Claims about the settings of each level: they show the order in the step and the stiffness."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ DEFAULTS = [
 
 
 def claims_order(judge: Judge) -> bool:
-    """Whether a tolerance shrinks with the step."""
+    """Whether a tolerance decreases with the step."""
     return isinstance(judge, Exact) and any(one.order for one in judge.tolerances.values())
 
 
@@ -39,7 +39,7 @@ def test_springs_for_rigid_contact_have_two_steps_and_another_stiffness_by_defau
 def test_where_an_order_is_claimed_the_default_level_has_two_of_the_steps(
     case: Case, variant: str
 ) -> None:
-    """Of a scene that is computed at several at all: the settings of a publication are single."""
+    """This applies to scenes computed at several steps; settings of a publication are single."""
     trial = case.declare(variant, case.defaults(variant))
     steps = {level: {one.dt for one in rungs} for level, rungs in trial.study.rungs.items()}
     ordered = any(claims_order(one.judge) for one in trial.quantities)

@@ -1,4 +1,4 @@
-"""Claims that bounds follow the parameters: a code that is right is right at unusual ones too."""
+"""Claims that bounds follow the parameters: correct codes pass at unusual parameters too."""
 
 from __future__ import annotations
 

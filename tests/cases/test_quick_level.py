@@ -1,4 +1,4 @@
-"""Claims about what the quick level runs: the plain variant of a case, and its extremes."""
+"""Claims about the variants of the quick level: the plain one of each case, and its extremes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims that parameters which leave a case without an answer are refused with value and rule."""
+"""Claims that parameters for which a case has no solution are refused with value and rule."""
 
 from __future__ import annotations
 

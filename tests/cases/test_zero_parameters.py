@@ -1,4 +1,4 @@
-"""Claims that every case answers a parameter that is zero, or refuses it by its name."""
+"""Claims that every case runs with a parameter of zero, or refuses it by name."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from vv.plan.planning import declare_trial
 from vv.plan.project import find
 from vv.plan.selection import select
 
-SLOW = "close-packed-"  # blocks of bonds, whose balance is iterated for each parameter
+SLOW = "close-packed-"  # blocks of bonds, whose equilibrium takes an iteration for each parameter
 VARIANTS = [
     (case, variant) for case, variant in select(find(), ["*"]) if not case.name.startswith(SLOW)
 ]
 
 
 def answered(case: Case, variant: str, parameters: dict[str, float]) -> Trial | str:
-    """The trial, or why there is none."""
+    """The trial, or the reason of its refusal."""
     try:
         return declare_trial(case, variant, parameters)
     except UsageError as refused:
@@ -29,7 +29,7 @@ def answered(case: Case, variant: str, parameters: dict[str, float]) -> Trial | 
 
 
 def zero_without_scale(trial: Trial) -> list[str]:
-    """The quantities whose exact history is zero throughout, and which state no scale."""
+    """The quantities whose exact history is zero throughout and that state no scale."""
     goal = trial.study.goal
     if not isinstance(goal, History):
         return []

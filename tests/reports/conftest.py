@@ -1,4 +1,4 @@
-"""A store of its own for each test of the report, and a manifest of all that may come of a job."""
+"""Fixtures: a store for each test of the report, and a manifest with all outcomes of a job."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims about what the report's pages do in a browser; skipped where Chromium is not installed."""
+"""Claims about the report's pages in a browser; skipped where Chromium is not installed."""
 
 from __future__ import annotations
 
@@ -155,14 +155,14 @@ OUTSIDE = """
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The report of two variants in many schemes."""
+    """The folder of a report on two variants in many schemes."""
     store = Store(tmp_path_factory.mktemp("store"))
     whole = with_external(manifest_of_all(store), "other")
     return html.build(whole, store, store.root / "report", Beside(PAPERS, native)).parent
 
 
 def quiet(found: Opened) -> Opened:
-    """What was found, if nothing was asked of the network and nothing complained of."""
+    """The opened page, after checks for requests to the network and messages in the console."""
     assert found.asked == []
     assert found.console == []
     assert "failed" not in found.said, found.said
@@ -224,7 +224,7 @@ def test_a_chart_is_zoomed_into_by_the_library_and_shows_the_numbers_of_the_tabl
 def test_a_quantity_in_bounds_is_drawn_from_the_table_when_it_is_asked_for(
     store: Store, tmp_path: Path
 ) -> None:
-    """Drawn beforehand, a thousand of them would make half the report."""
+    """If a thousand of them were drawn beforehand, they would be half of the report."""
     names = ("q0", "q1", "q2")
     facts = case()
     (height,) = facts.variants["T1"].quantities

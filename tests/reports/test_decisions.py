@@ -1,4 +1,4 @@
-"""Claims about what parts of pages decide: small tables of truths, by hand."""
+"""Claims about decisions in parts of pages: small truth tables, by hand."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from vv.records.outcomes import Outcome
 
 
 def some(**named: Any) -> Any:
-    """What has these attributes, in place of what has more."""
+    """A stand-in that has only these attributes."""
     return SimpleNamespace(**named)
 
 
@@ -54,7 +54,7 @@ def test_a_cell_of_the_map_has_medians_and_the_worst_outcome() -> None:
         assert 'href="#c-v-a/a"' in said
         assert f'<i class="{look}">{failing.symbol}</i>' in said
     fine = coverage_map._cell(book, cells[:1], ("c",), "a/a")
-    assert "<i" not in fine  # what passes is not known to fail, quiet or not
+    assert "<i" not in fine  # a record that passes has no sign, quiet or not
     assert coverage_map._cell(book, [], ("c",), "a/a") == "<td></td>"
     (lost,) = [coverage_map._cell(book, [some(error=None, cpu=None, worst=failing)], ("c",), "a/a")]
     assert f">{failing.symbol}</a>" in lost

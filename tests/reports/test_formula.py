@@ -1,4 +1,4 @@
-"""Claims about typeset formulas: nothing is lost, words stay words, all is escaped."""
+"""Claims about typeset formulas: nothing is lost, words stay words, and all text is escaped."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from reports.formula import GREEK, MINUS, PRIME, SIGNS, typeset
 
 
 def read(formula: str) -> ElementTree.Element:
-    """The elements of a typeset formula."""
+    """The root element of a typeset formula."""
     return ElementTree.fromstring(f"<p>{typeset(formula)}</p>")
 
 
 def said(formula: str) -> str:
-    """All that is read in it, as it was typed, but for blanks and what only places signs."""
+    """The text of a typeset formula as it was typed, without blanks and signs of position."""
     text = "".join(read(formula).itertext())
     for word, sign in {**GREEK, **SIGNS}.items():
         text = text.replace(sign, word)

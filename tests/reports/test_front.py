@@ -1,4 +1,4 @@
-"""Claims about what the front page says of costs that nobody timed, and of known disagreements."""
+"""Claims about the front page: costs without timings, and known disagreements."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from vv.store.store import Store
 
 
 def untimed(whole: Manifest) -> Manifest:
-    """The manifest, as if nothing had been timed alone."""
+    """The manifest without any cost that was timed alone."""
     records = (changed(one, cost=cost()) for one in whole.records)
     return dataclasses.replace(whole, records=tuple(records))
 
 
 def dear(page: str, label: str) -> str:
-    """What the column of costs says of a scheme."""
+    """The text in the column of costs of a scheme."""
     row = re.search(f'<tr data-k="{label}">.*?</tr>', page, re.DOTALL)
     assert row
     cell = re.search(r'class="n dear"[^>]*>([^<]*)', row[0])

@@ -1,4 +1,4 @@
-"""Claims about how schemes look, and that every text and curve is seen, on light and dark."""
+"""Claims about the looks of schemes: every text and curve is visible on light and dark."""
 
 from __future__ import annotations
 

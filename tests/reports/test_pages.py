@@ -1,4 +1,4 @@
-"""Claims about what the pages say: outcomes, papers, cards, the map, patterns, stability."""
+"""Claims about the contents of pages: outcomes, papers, cards, the map, patterns, stability."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def test_reasons_and_circumstances_are_told(manifest: Manifest, store: Store) ->
         assert words in made[CASE]
     for words in ("vv run --all", "with uncommitted changes", "gate: red"):
         assert words in made["index.html"]
-    assert "refused it is" in made["code-fate.html"]  # to which the page of attention leads
+    assert "refused it is" in made["code-fate.html"]  # the page of attention links to it
     assert 'href="code-fate.html#refused-fate"' in made["attention.html"]
 
 
@@ -108,7 +108,7 @@ def test_refusals_are_one_line_in_a_variant_and_blank_on_the_map(
     manifest: Manifest, store: Store
 ) -> None:
     made = pages(manifest, store)
-    assert made[CASE].count("Not run by") == 1  # folded; the other variant was asked of no such
+    assert made[CASE].count("Not run by") == 1  # folded; the other variant has no such refusals
     (row,) = re.findall(
         r'<tr><th scope="row"><a href="case-bounce.html#bounce">.*?</tr>', made["index.html"]
     )
@@ -187,7 +187,7 @@ def test_of_many_quantities_those_in_bounds_beyond_the_first_have_numbers_only(
     assert [one for one in titles if "step" in one] == [
         f"Error of {name} against step" for name in ("q0", "q1", "q4")
     ]
-    assert len({*titles}) == len(titles)  # which of two charts is meant can be said
+    assert len({*titles}) == len(titles)  # titles of charts are unique
     assert 'data-draw="q2">q2</span>, <span data-draw="q3">q3</span>.</p>' in page
 
 

@@ -1,4 +1,4 @@
-"""Claims about the parts of the report: what is drawn where, how numbers and looks come out."""
+"""Claims about the parts of the report: positions of drawings, formats of numbers and looks."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""What the report shows, read back cell by cell and curve by curve, against numbers by hand.
+"""Claims about the cells and curves of the report, which are read back and compared by hand.
 
-The numbers are such that each slip changes a cell: the coarsest setting for the finest, a ratio
-inverted, milliseconds for microseconds, a cost from the wrong end, a missing error as none.
+The numbers are chosen so that any mistake changes a cell: the coarsest setting for the finest, a
+ratio inverted, milliseconds for microseconds, a cost from the wrong end, a missing error as none.
 """
 
 from __future__ import annotations
@@ -49,11 +49,11 @@ CPU: dict[str, dict[str, tuple[float, ...]]] = {  # s
 }
 TOLERANCE = {"dem/default": 2e-3, "yade/default": 1.5e-2, "liggghts/default": 3e-3}
 METHODS = {"dem": "second-order", "yade": "first-order", "liggghts": "leapfrog"}
-START, END = 3.0, 7.0  # of the exact series [m]; a code is off by its error, of the largest, 7
+START, END = 3.0, 7.0  # of the exact series [m]; errors are relative to the largest value, 7
 
 
 def series(error: float | None) -> dict[str, np.ndarray]:
-    """A rising line, and the same times 1 + error; without one it does not end at a number."""
+    """A rising line, and the same times 1 + error; without an error its last value is nan."""
     t = np.linspace(0.0, 1.0, 5)
     reference = START + (END - START) * t
     value = reference * (1 + (error or 0.0))
@@ -211,7 +211,7 @@ def test_the_map_has_the_finest_error_of_each_variant_and_their_median(
     (drawn,) = pages["index.html"].every("table", id="map")
     cells = ([*line.every("th"), *line.every("td")] for line in drawn.every("tr"))
     rows = {first.text: [one.text.split()[0] for one in more if one.text] for first, *more in cells}
-    assert rows["T1"] == ["5e-4", "✗", "6e-3"]  # liggghts has no error at its finest
+    assert rows["T1"] == ["5e-4", "✗", "6e-3"]  # liggghts has no error at its finest step
     assert rows["T2"] == ["6e-5", "8e-5", "2e-3"]
     assert rows["bounce 2"] == ["3e-4", "8e-5", "4e-3"]
     assert [cell.named["data-c"] for cell in drawn.every("td")][:3] == ["30 ms", "360 ms", "754 ms"]

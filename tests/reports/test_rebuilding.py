@@ -1,4 +1,4 @@
-"""Claims about when pages are made: once for the same results, again where anything changed."""
+"""Claims about when pages are made: once for the same results, and again after any change."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims about pages whatever is in them: hostile, empty, alone, and without the network."""
+"""Claims about pages of any content: hostile, empty, single, and without the network."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_nothing_is_fetched_and_every_link_leads_somewhere(
 
 
 def hostile(manifest: Manifest) -> Manifest:
-    """The manifest with a hostile text wherever a text is."""
+    """The manifest with a hostile text in place of every text."""
     (facts,) = manifest.cases.values()
     variants = {
         name + HOSTILE: changed(
@@ -108,7 +108,7 @@ def test_importing_the_report_costs_no_templates() -> None:
 def test_an_empty_run_and_one_of_failures_only_have_pages(store: Store) -> None:
     empty = pages(manifest_of(), store)["index.html"]
     assert "Nothing was run" in empty
-    assert not any(f'id="{name}"' in empty for name in ("which", "map"))  # nothing to show in them
+    assert not any(f'id="{name}"' in empty for name in ("which", "map"))  # they would be empty
     failed = [record("a/b", "T1", dt, status="error", reason="boom") for dt in STEPS]
     made = pages(manifest_of(*failed), store)
     assert "boom" in made["attention.html"]

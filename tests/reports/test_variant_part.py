@@ -1,4 +1,4 @@
-"""Claims about a variant's part of a page: ranking, reasons, costs, inputs, what is recorded."""
+"""Claims about the part of a page on a variant: ranking, reasons, costs, inputs, records."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from vv.store.store import Store
 
 
 def words(page: str) -> str:
-    """A page without what keeps lines from ending within its numbers."""
+    """A page without the marks that keep lines from breaking within numbers."""
     return re.sub('<span class="n">|</span>', "", page)
 
 
@@ -180,7 +180,7 @@ def test_what_was_accepted_moved_or_recorded_is_told(manifest: Manifest, store: 
 
 
 def part(page: str, variant: str) -> str:
-    """What a page says of a variant."""
+    """The part of a page on a variant."""
     return page.partition(f'<h2 id="{variant}">')[2].partition("<h2 ")[0]
 
 

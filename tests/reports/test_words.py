@@ -100,7 +100,7 @@ def test_a_difference_makes_the_text_of_its_base(old: list[str], new: list[str])
 
 
 def patched(base: str, told: str) -> str:
-    """What `patch` makes of a base."""
+    """The result of `patch` on a base."""
     made, at, lines = [], 0, base.splitlines(keepends=True)
     for line in told.splitlines(keepends=True):
         if line[0] == "@":

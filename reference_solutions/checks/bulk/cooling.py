@@ -11,9 +11,7 @@ Array = NDArray[np.float64]
 
 
 class Flight(NamedTuple):
-    """The numbers of collisions of two and with walls, all times [s], and sum m v v/2 [J] after
-    each.
-    """
+    """The numbers of collisions of two and with walls; all times [s], and sum m v v/2 [J] then."""
 
     pairs: int
     walls: int

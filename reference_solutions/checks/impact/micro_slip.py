@@ -26,7 +26,7 @@ from reference_solutions.checks.impact.rebound import (
 )
 
 HALVINGS, PANELS = 44, 48
-GO, CLOSE = 0.5, 1e-8  # shares of a panel: step towards the end of a part, and accuracy
+GO, CLOSE = 0.5, 1e-8  # shares of a panel: advance to the end of a part, and its accuracy
 
 
 class Slipped(NamedTuple):

@@ -126,9 +126,9 @@ Test = Callable[[Array], float]
 
 
 def _pressing(strike: Strike) -> Test:
-    """A test that is negative once the contact is over.
+    """A test that is negative once the contact is over; both kinds start at zero.
 
-    It is q for a spring alone, else the force, since both are zero at the start.
+    It is q for a spring alone, else the normal force.
     """
     if strike.z == 0.0:
         return lambda y: float(y[0])

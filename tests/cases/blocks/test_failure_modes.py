@@ -1,4 +1,4 @@
-"""Claims about the chart of failure modes: where it is asked, and that a wrong friction shows."""
+"""Claims about the chart of failure modes: its points, and that a wrong friction is detected."""
 
 import dataclasses
 
@@ -22,7 +22,7 @@ def verdicts(trial: Trial, run: Run) -> dict[str, str]:
 
 
 def moved(trial: Trial, mu: float = 1.0) -> Run:
-    """What `rigid` does with so many times the friction."""
+    """The run of `rigid` with `mu` times the friction."""
     ask = trial.study.ask(trial.study.rungs[Level.QUICK][0])
     law = Contact(ask.scene.contact.kn, mu=mu * ask.scene.contact.mu)
     return rigid.solve(

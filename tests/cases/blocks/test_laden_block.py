@@ -1,4 +1,4 @@
-"""Claims about the case of a laden block: its bounds follow the drives."""
+"""Claims about the case of a loaded block: its bounds follow the drives."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vv.scene import Vector
 
 
 def bounds(given: dict[str, float]) -> tuple[Vector, float]:
-    """For springs those of slip and of rise; and the largest way [m]."""
+    """The bounds of slip and rise for springs, and the largest displacement [m]."""
     p = {**CASE.defaults("level"), **given}
     quantities = {q.name: q for q in CASE.declare("level", p).quantities}
     slip, rise = quantities["slip"], quantities["rise"]
@@ -22,7 +22,7 @@ def bounds(given: dict[str, float]) -> tuple[Vector, float]:
     assert slip.reference is not None
     way = np.asarray(slip.reference(np.linspace(0.0, p["duration"], 1000)))
     one, other = (judge.tolerance(Method.PENALTY) for judge in (slip.judge, rise.judge))
-    assert max(one.floor / one.value, other.floor / other.value) < 1.0  # they go with the setting
+    assert max(one.floor / one.value, other.floor / other.value) < 1.0  # they vary with the setting
     return np.array([one.value, other.value]), float(np.abs(way).max())
 
 
@@ -37,7 +37,7 @@ def bounds(given: dict[str, float]) -> tuple[Vector, float]:
 def test_a_bound_grows_with_the_largest_drive_and_as_the_way_shrinks(
     given: dict[str, float], times: float
 ) -> None:
-    """Friction lifts with the slope and is shaken by mu times these; it slows by mu p - push."""
+    """Friction rises with the slope and varies by mu times these; it decelerates by mu p - push."""
     own, way = bounds({"v": 6.0})
     other, moved = bounds({"v": 6.0, **given})
     assert other * moved == pytest.approx(times * own * way, rel=0.01)

@@ -1,4 +1,4 @@
-"""Claims about a block on a shaking foundation: slip that all but stops turns within a step."""
+"""Claims about a block on a shaking foundation: slip that almost stops reverses within a step."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ def test_rigid_follows_slip_that_all_but_stops(
 
 @pytest.mark.parametrize("seed", range(4))
 def test_rigid_follows_slip_at_any_parameters(seed: int) -> None:
-    """Those of 3d, each up to half more or less."""
+    """The parameters are those of 3d, each changed by up to a half."""
     rng, p = np.random.default_rng(seed), CASE.defaults("3d")
     for name in ("D", "Dy", "Dz", "f", "fy", "fz", "mu"):
         p = {**p, name: p[name] * float(rng.uniform(0.5, 1.5))}
@@ -42,7 +42,7 @@ def test_rigid_follows_slip_at_any_parameters(seed: int) -> None:
 
 @pytest.mark.parametrize("given", [{"D": 0.15}, {"mu": 0.3}, {"D": 0.1}, {"f": 10.0}], ids=str)
 def test_springs_are_judged_at_5_hz_where_steps_do_not_decide(given: dict[str, float]) -> None:
-    """At 1e-3 s on 1e8 N/m the answer is off by up to 0.4 of the way, as steps and period fit."""
+    """At 1e-3 s and 1e8 N/m errors reach 0.4 of the displacement, depending on step and period."""
     trial = CASE.declare("1d-5hz", {**CASE.defaults("1d-5hz"), **given})
     assert all(len(rungs) > 1 for rungs in trial.study.rungs.values())
     for knobs in trial.study.rungs[Level.DEFAULT]:

@@ -1,4 +1,4 @@
-"""Claims about the case of a rocking block: what its references say at the times of a run."""
+"""Claims about the case of a rocking block: its references at the output times of a run."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from vv.scene import Pulse, Vector
 
 @pytest.mark.parametrize("dt", [1e-3, 5e-4, 1.25e-4])
 def test_the_way_is_that_at_the_outputs_of_a_step(dt: float) -> None:
-    """Outputs fall on whole steps: for most durations not when they do without a step."""
+    """Outputs fall on whole steps, which for most durations are not the times without a step."""
     p = {**CASE.defaults("released"), "b": 0.3221, "h": 0.7388, "part": 0.2098, "duration": 1.469}
     trial = CASE.declare("released", p)
     times = trial.study.goal.times(dt)
@@ -47,7 +47,7 @@ def test_a_foot_that_slips_under_a_block_thrown_over_is_solved(given: dict[str, 
 def test_a_shifted_top_is_felt_over_what_is_left_to_it_between_once_and_fifty_times(
     part: float, floor: float
 ) -> None:
-    """Corners a thousandth of the size across: 0.4/(1 - part) is 0.5, 4 and 4000."""
+    """The corners are a thousandth of the size wide; 0.4/(1 - part) is 0.5, 4 and 4000."""
     p = {**CASE.defaults("released"), "part": part, "duration": 1.0}
     (swing,) = (q for q in CASE.declare("released", p).quantities if q.name == "first swing")
     assert isinstance(swing.judge, Exact)
@@ -58,7 +58,7 @@ def test_a_shifted_top_is_felt_over_what_is_left_to_it_between_once_and_fifty_ti
 
 
 def exact_run(p: Parameters, part: float, times: Vector) -> Run:
-    """What a code would say that makes no error, under a pulse of such a part of the threshold."""
+    """The run of an exact code under a pulse of this fraction of the threshold."""
     law, w = {name: p[name] for name in ("b", "h", "g")}, 2 * np.pi * p["f"]
     pulse = {"A": part * rocking.threshold(**law, w=w), "w": w, "T": np.pi / w}
     lean, rate = rocking.phases(times, **law, **pulse, theta=0.0).T

@@ -1,4 +1,4 @@
-"""Claims about the energies of a block that is pulled in two: they balance, and lies are seen."""
+"""Claims about the energies of a block pulled in two: they balance, and errors are detected."""
 
 from __future__ import annotations
 

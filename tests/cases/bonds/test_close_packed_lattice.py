@@ -1,4 +1,4 @@
-"""Claims about the case of close-packed blocks: it loads to rest, and sees wrong springs."""
+"""Claims about the case of close-packed blocks: loads end at rest, wrong springs are detected."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def ran(ask: Ask) -> Run:
 
 
 def off(trial: Trial, run: Run) -> dict[str, float]:
-    """Errors over their tolerances, by name."""
+    """The errors over their tolerances, by name of the quantity."""
     errors = {}
     for q in trial.quantities:
         if isinstance(q, Scalar) and isinstance(q.judge, Exact) and q.reference is not None:

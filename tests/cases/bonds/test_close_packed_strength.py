@@ -1,4 +1,4 @@
-"""Claims about the blocks that are pulled and pressed to failure."""
+"""Claims about the blocks that are pulled or pressed to failure."""
 
 import numpy as np
 
@@ -12,11 +12,11 @@ from vv.scene import Scene
 PRESSED = dict(CASE.defaults("pressed-82"))
 BLOCK = block_of(82, PRESSED["d"])
 STIFF = 20.0 * PRESSED["kn"]
-SHORT = History(2e-5, 1e-5)  # s: to strains of 1.6e-4 and 3.2e-4, far from where a bond opens
+SHORT = History(2e-5, 1e-5)  # s: up to strains of 1.6e-4 and 3.2e-4, long before a bond opens
 
 
 def moduli(scene: Scene, tops: list[list[Reaction]]) -> list[float]:
-    """Of the blocks at both rates, by their platens [Pa], from what changes between outputs."""
+    """The moduli of the blocks at both rates [Pa], from increments of the platen forces."""
     run = dem.solve_default(Ask(scene, SHORT, sum(map(tuple, tops), ()), Knobs(dt=1e-8)))
     force = [sum(np.diff(run.values[what][-2:, 2])[0] for what in top) for top in tops]
     strain = np.array([2.0, 1.0]) * PRESSED["rate"] * SHORT.interval
@@ -24,7 +24,7 @@ def moduli(scene: Scene, tops: list[list[Reaction]]) -> list[float]:
 
 
 def test_platens_that_yield_add_the_length_of_their_springs() -> None:
-    """Less is added if the ends are made to stay plane, which elements with few bonds do not."""
+    """They add less if the ends stay plane, which elements with few bonds do not."""
     rigid = moduli(specimen(PRESSED, BLOCK), on_tops(BLOCK))
     sunk = 2.0 * BLOCK.area / (BLOCK.at(2, 1).sum() * STIFF * BLOCK.height)
     p = {**PRESSED, "platen": STIFF}
@@ -41,7 +41,7 @@ def test_errors_of_strengths_are_parts_of_the_exact_ones() -> None:
 
 
 def test_springs_to_platens_stay_upright() -> None:
-    """However far a face of the block moves, here 1 % of its height."""
+    """They stay upright for any displacement of a face of the block, here 1 % of its height."""
     scene = yielding(PRESSED, BLOCK)
     assert scene.bonds is not None
     springs = scene.bonds.pairs[np.isinf(scene.bonds.tension)]

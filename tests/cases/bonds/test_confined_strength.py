@@ -1,4 +1,4 @@
-"""Claims about the confined unit: where its bonds slide is read off, and not where others part."""
+"""Claims about the confined unit: sliding is read from the bonds that slide first."""
 
 from pathlib import Path
 from typing import cast
@@ -14,7 +14,7 @@ WEAK = {"fx": 5.0, "mu_p": 0.21, "fs0": 14.0, "eta": 4.0}
 
 
 def test_weak_bonds_are_seen_to_slide_where_they_do(tmp_path: Path) -> None:
-    """Shear over strength, which is curved, was extrapolated with errors of 1.5e-5 in P."""
+    """The extrapolation of shear over strength, which is curved, once had errors of 1.5e-5 in P."""
     trial = CASE.declare("two", {**CASE.defaults("two"), **WEAK})
     ask = cast(Ladder, trial.study).ask(Knobs(dt=4e-8))
     (run,) = ADAPTER.run([ask], "default", tmp_path, 0.0)

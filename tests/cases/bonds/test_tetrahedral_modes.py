@@ -1,4 +1,4 @@
-"""Claims about how the tetrahedral unit may move: no mechanism, breathing, a turn that costs."""
+"""Claims about modes of the tetrahedral unit: no mechanism, breathing, and rotation."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ CASE = find().load_case("tetrahedral-unit")
 
 
 def stiffness(gamma: float) -> Vector:
-    """Of all displacements (12, 12), in kn: each bond along itself, and gamma of it across."""
+    """The stiffness (12, 12) over kn of all displacements: 1 along bonds, gamma across them."""
     whole = np.zeros((4, 3, 4, 3))
     for i, j in EDGES:
         n = CORNERS[j] - CORNERS[i]
@@ -25,7 +25,7 @@ def stiffness(gamma: float) -> Vector:
 def test_only_rigid_motions_cost_nothing_and_turns_only_without_shear(
     gamma: float, idle: int
 ) -> None:
-    """No mechanism at gamma = 0: what costs nothing is three shifts and three turns."""
+    """No mechanism exists at gamma = 0: only three translations and three rotations are free."""
     squares = np.linalg.eigvalsh(stiffness(gamma))
     assert (np.abs(squares) < 1e-12).sum() == idle
     assert squares[idle] > 1e-4
@@ -45,7 +45,7 @@ def test_a_turn_by_a_small_angle_costs_two_ks_d2_of_its_square() -> None:
 
 
 def test_the_case_throws_the_unit_so_that_it_turns_as_a_whole() -> None:
-    """All distances stay, to second order in the angle."""
+    """All distances stay constant to second order in the angle."""
     study = CASE.declare("turned", CASE.defaults("turned")).study
     v = study.scene.spheres.velocity
     i, j = EDGES.T

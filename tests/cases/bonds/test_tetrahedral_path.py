@@ -1,4 +1,4 @@
-"""Claims about four bonded elements at finite strain: the path they keep to, and what lies off."""
+"""Claims about four bonded elements at finite strain: they follow the path, and deviations show."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def judged(q: Scalar) -> bool:
 
 
 def errors(of: Trial, run: Run) -> dict[str, float]:
-    """Of every quantity that is judged."""
+    """The relative errors of all quantities that are judged."""
     return {
         q.name: abs(q.observe(run) - evaluated(q.reference)) / evaluated(q.scale)
         for q in of.quantities

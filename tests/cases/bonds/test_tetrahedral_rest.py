@@ -1,4 +1,4 @@
-"""Claims that the loaded unit is at rest when it is measured, whatever damps it."""
+"""Claims that the loaded unit is at rest when it is measured, for any kind of damping."""
 
 from __future__ import annotations
 

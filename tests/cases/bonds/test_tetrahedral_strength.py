@@ -1,4 +1,4 @@
-"""Claims about units of four that are pulled or pressed to failure: bounds follow the viscosity."""
+"""Claims about units of four pulled or pressed to failure: bounds follow the viscosity."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PRESSED = next(one.name for one in CASE.variants if one.name.startswith("pressed
 
 
 def bound(times: float) -> float:
-    """Of the compressive strength, where dashpots are so many times as strong."""
+    """The bound of the compressive strength for `times` the usual viscosity."""
     p = CASE.defaults(PRESSED)
     usual = 45.0 / abs(p["rate"])
     quantities = CASE.declare(PRESSED, {**p, "eta": times * usual}).quantities

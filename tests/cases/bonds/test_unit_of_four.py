@@ -1,4 +1,4 @@
-"""Claims about what displacements of four bonded elements say, by hand."""
+"""Claims about the quantities derived from displacements of four bonded elements, by hand."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NAMES = ("E", "nu", "dz", "X_n1", "X_s1", "X_n2")
 
 
 def told(u: Vector, fz: float = 3.0) -> dict[str, float]:
-    """All quantities of displacements (4, 3) [diameters]."""
+    """All quantities that follow from displacements (4, 3) [diameters]."""
     return {name: as_it_is(name, fz, D, D * u) for name in NAMES}
 
 

@@ -1,4 +1,4 @@
-"""Claims about the collapse of a column: it starts loose, and what breaks a law of it is seen."""
+"""Claims about the collapse of a column: its start is without overlaps, and violated laws show."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ G, D = 9.81, 0.01
 
 
 def _run(place: Callable[[float], Vector], speed: Callable[[float], Vector]) -> Run:
-    """A run whose falling spheres are at place(t) and as fast as speed(t), (n, 3) each."""
+    """A run with positions place(t) and velocities speed(t) of the falling grains, (n, 3) each."""
     moved = np.stack([place(t) for t in TIMES]) - SPHERES.position[FALLS]
     fast = np.stack([speed(t) for t in TIMES])
     values: dict[Observable, Vector] = {Displacement(int(i)): moved[:, i] for i in FALLS}
@@ -74,7 +74,7 @@ def test_the_edge_of_a_close_layer_is_where_its_grains_end() -> None:
     found = measured(run, run_out, Method.SECOND_ORDER, Knobs(dt=1e-5))[0]
     radius = np.sqrt(len(FALLS) * np.sqrt(0.75) / np.pi)
     assert radius / 5.0 - 1.0 == pytest.approx(1.45, abs=0.01)
-    assert found.value == 1.5  # told to a quarter
+    assert found.value == 1.5  # to the nearest quarter
     assert found.verdict.value == "pass"
 
 
@@ -83,10 +83,10 @@ def test_an_edge_of_one_grain_is_its_size_over_the_mean_slope_of_the_heap() -> N
     assert isinstance(judge, Measured)
     assert judge.band is not None
     out = judge.measurement.value
-    a = out / 1.24  # height over radius at first
+    a = out / 1.24  # initial height over radius
     slope = 0.88 * a ** (1 / 6) / (1 + out)
     doubt = np.hypot(0.005 * a, 0.1 * out)
-    # five grains in the radius, to half a per cent: whole grains fill no circle
+    # five grains in the radius, to half a per cent, since whole grains fill no circle
     assert judge.band == pytest.approx(3 * doubt + 1 / (5 * slope), rel=1e-3)
 
 

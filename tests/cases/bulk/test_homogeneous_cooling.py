@@ -1,4 +1,4 @@
-"""Claims about a gas of spheres: over seeds it does as theory says, and lies are seen."""
+"""Claims about a gas of spheres: means over seeds agree with theory, errors are detected."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from vv.engines import dem
 from vv.scene import Contact
 
 SEEDS = range(1, 13)
-STUDENT = 3.11  # of 99 %, twelve draws
-LEFT_OUT = 0.03  # that theory leaves out: 1 - e^2 times the part that walls take, 0.19 x 0.18
+STUDENT = 3.11  # Student's t of 99 % for twelve draws
+LEFT_OUT = 0.03  # neglected by theory: 1 - e^2 times the share of the walls, 0.19 x 0.18
 
 
 @functools.cache
 def seen(variant: str, damping: float = 1.0) -> dict[str, float]:
-    """What each quantity of a variant is over what is right, untold."""
+    """The ratio of each unrounded quantity of a variant to its reference."""
     p = gas.CASE.defaults(f"{variant.partition('-')[0]}-1")
     trial = gas.CASE.declare(variant, p)
     ask = trial.study.ask(trial.study.rungs[Level.DEFAULT][0])
@@ -72,7 +72,7 @@ def test_what_is_chance_does_not_move_what_is_told() -> None:
 
 
 def test_spheres_that_only_fly_on_would_stay_at_one_speed() -> None:
-    """The flatness of a start at one speed is 1, far outside the tolerance of what is right."""
+    """At a single speed the flatness is 1, far outside the tolerance about the correct value."""
     p = gas.CASE.defaults("elastic-1")
     speeds = (gas.scene_of(1, p).spheres.velocity ** 2).sum(axis=1)
     assert speeds.max() == pytest.approx(speeds.min())
@@ -80,7 +80,7 @@ def test_spheres_that_only_fly_on_would_stay_at_one_speed() -> None:
 
 
 def test_contacts_hold_half_as_much_as_their_temperature_of_all_that_the_gas_has() -> None:
-    """A contact has T/2 in its spring and a sphere 3 T/2 in its motion."""
+    """The mean energy is T/2 in the spring of a contact and 3 T/2 in the motion of a sphere."""
     p = gas.CASE.defaults("elastic-1")
     (met, *_) = gas.CASE.declare("elastic-1", p).quantities
     assert isinstance(met, Scalar)
@@ -91,4 +91,4 @@ def test_contacts_hold_half_as_much_as_their_temperature_of_all_that_the_gas_has
         gas.COUNT, side=gas.SIDE, d=2 * gas.RADIUS, m=p["m"], kn=p["kn"], temperature=temperature
     )
     due = cooling.touching(found, m=p["m"], kn=p["kn"])
-    assert met.reference == pytest.approx(due, rel=1e-4)  # its own search leaves 1e-5
+    assert met.reference == pytest.approx(due, rel=1e-4)  # its own search is accurate to 1e-5

@@ -1,4 +1,4 @@
-"""Claims about a silo that empties: it starts loose and closed, and other rates are seen."""
+"""Claims about a silo that empties: it starts loose and closed, and wrong rates are detected."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ TRIAL: Trial = CASE.declare("wide-1", CASE.defaults("wide-1"))
 SPHERES = TRIAL.study.scene.spheres
 COUNT = int(SPHERES.free[:, 0].sum())
 TIMES = TRIAL.study.goal.times(None)
-D, LAW = 0.01, 1397.0  # m, grains a second
+D, LAW = 0.01, 1397.0  # m, grains per second
 BELOW = np.array([0.0, 0.0, -5.0 * D])
 
 
 def _run(left: Callable[[float], float], to: Vector = BELOW) -> Run:
-    """A run in which so many grains have gone at time t, those near the axis first."""
+    """A run in which left(t) grains have left the silo at time t, those near the axis first."""
     order = np.argsort(np.hypot(*SPHERES.position[:COUNT, :2].T), kind="stable")
     places = np.repeat(SPHERES.position[None, :COUNT], len(TIMES), axis=0)
     for k, t in enumerate(TIMES):

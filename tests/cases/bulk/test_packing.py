@@ -1,4 +1,4 @@
-"""Claims about a pack that comes to rest: what breaks a law of it is seen."""
+"""Claims about a pack that comes to rest: a violation of any law is detected."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _changed(what: type, change: Callable[[np.ndarray], np.ndarray]) -> Run:
 
 
 def _late(by: float) -> Callable[[np.ndarray], np.ndarray]:
-    """All of it larger at the end."""
+    """A change that increases the last values by `by`."""
     return lambda v: v + by * (np.arange(len(v)) == len(v) - 1)[:, None]
 
 

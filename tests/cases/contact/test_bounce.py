@@ -1,4 +1,4 @@
-"""Claims about what two spheres that bounce on each other may be off, at any parameters."""
+"""Claims about the allowed errors of two spheres that bounce on each other, for any parameters."""
 
 from __future__ import annotations
 

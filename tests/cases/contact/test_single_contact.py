@@ -1,4 +1,4 @@
-"""What the codes must show on T1-T4, and what each parameter does."""
+"""Claims about the results of codes on T1-T4, and about the effect of each parameter."""
 
 import json
 import os
@@ -23,7 +23,7 @@ Ask = Callable[..., list[Record]]
 
 @pytest.fixture(scope="module")
 def ask(tmp_path_factory: pytest.TempPathFactory) -> Ask:
-    """Run `vv run ... --json` in a store of its own and return the records."""
+    """Run `vv run ... --json` with a separate store and return the records."""
     data = tmp_path_factory.mktemp("data")
 
     def run(*words: str) -> list[Record]:
@@ -43,13 +43,13 @@ def ask(tmp_path_factory: pytest.TempPathFactory) -> Ask:
 
 @pytest.fixture(scope="module")
 def records(ask: Ask) -> list[Record]:
-    """All variants and rungs of the default level, of the schemes here that do not refuse."""
+    """All variants and settings of the default level, for the schemes here that run them."""
     asked = ask("single-contact")
     return [r for r in asked if r["status"] not in ("not-installed", "refused")]
 
 
 def errors(records: list[Record], label: str, variant: str) -> dict[float, float]:
-    """Step -> max|e|/max|ref| of a scheme on a variant."""
+    """max|e|/max|ref| of a scheme on a variant, by step."""
     return {
         r["rung"]["dt"]: r["quantities"][0]["errors"]["max"]
         for r in records
@@ -103,7 +103,7 @@ def test_the_published_scheme_shows_the_published_behaviour(
 
 
 def test_viscosity_and_shear_make_the_published_scheme_worse(records: list[Record]) -> None:
-    """What the paper's Figs. 4 and 6 show of VBOX and PFC2D."""
+    """Figs. 4 and 6 of the paper show this for VBOX and PFC2D."""
     at = {test: errors(records, "dem/published", test)[1e-3] for test in TESTS}
     assert at["T2"] > at["T1"]
     assert at["T4"] > at["T3"]
@@ -157,7 +157,7 @@ def test_each_parameter_changes_the_reference_or_is_declared_inert(
 
 @pytest.mark.parametrize("parameter", CASE.parameters, ids=lambda p: p.name)
 def test_each_parameter_moved_keeps_every_scheme_within_tolerance(ask: Ask, parameter: Any) -> None:
-    """At the finest rung; 28 runs of up to 40 000 steps each, the slowest of these tests."""
+    """At the finest setting: 28 runs of up to 40 000 steps each, the slowest of these tests."""
     setting = f"{parameter.name}={1.1 * parameter.value!r}"
     found = ask("single-contact:T[1-4]", "--set", setting, "--rung", "dt=1e-5")
     verdicts = {r["quantities"][0]["verdict"] for r in found if r["status"] == "ran"}

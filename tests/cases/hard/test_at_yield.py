@@ -1,4 +1,4 @@
-"""Claims about a block on the brink of rest: the last digits decide if it stops, not its way."""
+"""Claims about a block at the limit of rest: rounding decides if it stops, not how far it goes."""
 
 from math import cos, pi, radians
 
@@ -21,7 +21,7 @@ def law(variant: str) -> dict[str, float]:
 
 
 def rests(variant: str) -> int:
-    """How often it stops and stays for a moment."""
+    """The number of times at which the block stops and stays for a while."""
     return sum(p.direction == 0 for p in closed.newmark_phases(4.9, **law(variant))[1:])
 
 
@@ -38,7 +38,7 @@ def test_the_two_routes_and_the_limit_agree(variant: str) -> None:
     limit = p["A"] / (w * cos(radians(p["alpha"]))) * (T - np.sin(w * T) / w)
     first, second = closed.newmark(T, **p), integrated.newmark(T, **p)
     assert np.abs(first - second).max() < 1e-11 * first.max()
-    # 1e-12 of phi more or less pull by 3e-12 m/s2, for 5 s
+    # a change of phi by 1e-12 is an acceleration of 3e-12 m/s2 for 5 s
     assert np.abs(first - limit).max() < 2e-11 * first.max()
 
 

@@ -1,4 +1,4 @@
-"""Claims about T3 beyond its end: the exact swing never slips again, and what slips is counted."""
+"""Claims about T3 beyond its end: the exact oscillation does not slip; other slips are counted."""
 
 from math import pi
 
@@ -25,7 +25,7 @@ LIMIT = P["mu"] * P["kn"] * closed.overlap(**OVERLAP) / P["ks"]
 
 
 def run_of(y: Vector) -> Run:
-    """A run that moved so along y."""
+    """A run with the displacements y along y."""
     path = y[:, None] * np.array([0.0, 1.0, 0.0])
     return Run(Status.RAN, times=T[: len(y)], values={Displacement(1): path})
 
@@ -35,7 +35,7 @@ def test_the_closed_form_slips_once_in_20_seconds() -> None:
 
 
 def test_the_second_route_swings_to_the_limit_and_no_farther() -> None:
-    """It carries the spring itself: once it sticks again, its stretch touches mu kn dx/ks."""
+    """It integrates the spring itself, whose stretch after the slip just reaches mu kn dx/ks."""
     moved = integrated.t3(T[T <= 2.0], **OVERLAP)
     assert moved == pytest.approx(closed.t3(T[T <= 2.0], **OVERLAP), abs=1e-11)
     late = moved[T[: len(moved)] > 0.6]
@@ -63,7 +63,7 @@ def test_the_middle_is_found_whatever_frequency_a_code_swings_at() -> None:
     k = closed.mass(P["rho"], P["r"]) ** -0.5 * P["ks"] ** 0.5
     for wrong in (0.9, 1.0, 1.1):
         y = 0.3 * LIMIT * (1.0 - np.cos(wrong * k * T))
-        assert SLIPS.observe(run_of(y)) == 1  # from the middle at 0 to that of all swings
+        assert SLIPS.observe(run_of(y)) == 1  # from the first centre, 0, to the final one
         assert SLIPS.observe(run_of(LIMIT * np.sin(wrong * k * T))) == 0
 
 

@@ -1,4 +1,4 @@
-"""Claims about the case of a prism on a knife edge: the friction that keeps it there."""
+"""Claims about the case of a prism on a knife edge: the friction that it requires."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ P = {**CASE.defaults("topples"), "duration": 1e-4, "theta": 0.6}
 
 
 def needed() -> float:
-    """Friction over pressure as it lets go: g less what its turn takes, h lam^2, over g."""
+    """Friction over pressure at release, (1 - h lam^2/g) tan(theta), where it rotates at lam."""
     scene = CASE.declare("topples", {**P, "mu": 10.0}).study.scene
     upper = scene.blocks[1]
     arm = volume_and_centroid(upper.vertices, upper.faces)[1]

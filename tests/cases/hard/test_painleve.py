@@ -1,4 +1,4 @@
-"""Claims about a rod in Painleve's paradox: two routes agree, and impulses pass where it jams."""
+"""Claims about a rod in Painleve's paradox: two routes agree, and impulses solve where it jams."""
 
 import math
 from types import ModuleType
@@ -57,7 +57,7 @@ def test_the_motion_changes_little_at_the_edge_of_the_paradox() -> None:
 
 
 def shown(variant: str, mu: float) -> tuple[float, Run]:
-    """The distance of the rigid engine's run at some friction from a variant's path, relative."""
+    """The relative distance of a run of the rigid engine at mu from the path of a variant."""
     trial = CASE.declare(variant, CASE.defaults(variant))
     other = CASE.declare(variant, {**CASE.defaults(variant), "mu": mu}).study
     run = rigid.solve(other.ask(trial.study.rungs[Level.DEFAULT][-1]))
@@ -83,7 +83,7 @@ def test_an_end_that_friction_cannot_hold_is_refused() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives what is known of a rod at a slope that is no special one."""
+    """Whether a route has the known motion of a rod at a general slope."""
     law = {"half": 0.7, "V": 1.5, "g": 9.81}
     theta, jam = math.atan(1.7), {"mu": 2.0, "theta": math.atan(1.7), "half": 0.7, "V": 1.5}
     if hasattr(route, "jam"):
@@ -103,7 +103,7 @@ def same(route: ModuleType) -> bool:
 
 
 def stepped_edge() -> float:
-    """The friction at which the push changes its sign through infinity, by the second route."""
+    """The friction at which the normal force diverges and changes sign, by the second route."""
     low, high = 0.5, 3.0
     for _ in range(60):
         mu = (low + high) / 2

@@ -1,4 +1,4 @@
-"""Claims about the sheet at rest: two routes find it, codes leave it there, gains are seen."""
+"""Claims about the sheet at rest: two routes agree, codes stay at rest, and gains are detected."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_the_floor_bears_the_weight_and_every_contact_is_closed() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route finds the small sheet where both find it."""
+    """Whether a route has the small sheet on which both agree."""
     place, width = rest(balanced)
     if hasattr(route, "at_rest"):
         other, wide = rest(route)
@@ -64,7 +64,7 @@ def same(route: ModuleType) -> bool:
     return bool(np.abs(other - place).max() < 1e-5 * WEIGHT / LAW["kn"])
 
 
-# what only decides how Newton's method gets there: the turning of normals, and where it starts
+# signs that only affect the path of Newton's method: rotation of normals, initial guess
 @pytest.mark.parametrize("sign", signs(balanced, ("packed", "at_rest", "_forces"), (
     "np.eye(2) - np.outer(along, along)", "turning - kn * np.outer(along, along)",
     "rows, long and short", "1.0 - squeeze",
@@ -98,7 +98,7 @@ def test_smooth_spheres_that_may_turn_are_run() -> None:
 
 
 def ran(variant: str) -> tuple[Run, dict[str, Scalar]]:
-    """A run of the engine at the finest step, and what is measured of it."""
+    """A run of the engine at the finest step, and the quantities measured in it."""
     trial = CASE.declare(variant, CASE.defaults(variant))
     numbers = {q.name: q for q in trial.quantities if isinstance(q, Scalar)}
     study = trial.study
@@ -110,7 +110,7 @@ def judged(quantity: Scalar, run: Run) -> object:
 
 
 def test_a_gain_is_seen_after_a_loss_that_would_hide_it() -> None:
-    """All velocities grow again at the end, to energies far below the first."""
+    """All velocities grow again at the end, to energies far below the initial one."""
     run, numbers = ran("knocked")
     assert judged(numbers["gained"], run) == "pass"
     grown = {

@@ -1,4 +1,4 @@
-"""Claims about a base that shakes fast: both routes stay sharp, and steps can lose the block."""
+"""Claims about a base that shakes fast: both routes stay accurate, large steps lose the block."""
 
 from decimal import Decimal, getcontext
 
@@ -20,7 +20,7 @@ PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494")
 
 
 def cosine(x: Decimal, s: int) -> Decimal:
-    """cos x for s = 0, sin x for s = 1."""
+    """cos x for s = 0, sin x for s = 1, by their series."""
     x %= 2 * PI
     total, term, n = Decimal(0), Decimal(1), 0
     while n < 4 or abs(term) > Decimal(10) ** -45:
@@ -32,7 +32,7 @@ def cosine(x: Decimal, s: int) -> Decimal:
 
 
 def in_40_digits(t: NDArray[np.float64], f: float) -> NDArray[np.float64]:
-    """d2 of a block that slips all the time: straight velocities, turns by Newton's method."""
+    """d2 of a block that always slips: linear velocities, reversals by Newton's method."""
     getcontext().prec = 40
     w, friction = 2 * PI * Decimal(f), Decimal(FAST["mu"]) * Decimal(FAST["g"])
     top = Decimal(FAST["D"]) * w
@@ -119,8 +119,7 @@ def test_no_mean_is_judged_where_friction_holds_the_block_for_a_while() -> None:
 
 
 def test_steps_in_which_the_base_gains_more_than_friction_gives_lose_the_block() -> None:
-    """Friction turns on whole steps: at 20 Hz the block drifts off for good, at 5 Hz and a fine
-    step it does not."""
+    """Friction reverses at whole steps. The block drifts off at 20 Hz, but not at 5 Hz."""
     ways = []
     for variant, dt in (("20hz", 2.5e-4), ("5hz", 2.5e-4)):
         trial = CASE.declare(variant, CASE.defaults(variant))

@@ -1,4 +1,4 @@
-"""Claims about what must stand: the thinnest arch by two routes, and which codes say so."""
+"""Claims about structures that stand: the thinnest arch by two routes, and results of codes."""
 
 import dataclasses
 from types import ModuleType
@@ -62,7 +62,7 @@ def test_they_agree_on_round_voussoirs_as_chords_become_arcs() -> None:
 
 
 def drop(part: float, solve: object, kn: float | None = None) -> tuple[float, Run]:
-    """By how much the crown of an arch sinks in 0.15 s, in mean radii."""
+    """The displacement by which the crown of an arch sinks in 0.15 s, in mean radii."""
     crown = Displacement(5)
     variant = "arch" if part > 1 else "arch-thin"
     ask = Ask(scene(variant, part=part), History(0.15, 0.05), (crown,), Knobs(2.5e-3, kn))
@@ -79,7 +79,7 @@ def test_an_arch_a_percent_too_thin_falls_and_one_a_percent_thicker_stands() -> 
 
 
 def test_the_two_routes_of_the_fall_agree() -> None:
-    """A mechanism by the forces in its pins, and by its energy."""
+    """One follows the mechanism by the forces in its hinges, the other by its energy."""
     thick, t = 0.99 * thrust.thinnest_of_chords(10), np.array([0.05, 0.1, 0.3])
     due = energetic.crown_drop(t, n=10, thick=thick, size=1.3, g=9.81)
     assert falling.crown_drop(t, n=10, thick=thick, size=1.3, g=9.81) == pytest.approx(
@@ -88,7 +88,7 @@ def test_the_two_routes_of_the_fall_agree() -> None:
 
 
 def test_an_arch_on_the_brink_does_not_fall() -> None:
-    """At the least thickness the mechanism begins with no acceleration."""
+    """At the least thickness the initial acceleration of the mechanism is zero."""
     thick = thrust.thinnest_of_chords(10)
     with pytest.raises(ValueError, match=r"such an arch of n = 10 stands"):
         falling.crown_drop(np.ones(1), n=10, thick=1.0001 * thick, size=1.0, g=9.81)
@@ -107,12 +107,12 @@ def test_rigid_contact_falls_as_the_mechanism_does() -> None:
         run = rigid.solve(study.ask(knobs))
         due = sunk.reference(run.times)
         errors.append(np.abs(sunk.observe(run) - due) / due.max())
-    assert errors[0].max() < 1.1e-4  # of second order, and what contacts are solved to adds up
-    assert 3.4 < errors[0][1] / errors[1][1] < 4.2  # later, the latter hides it
+    assert errors[0].max() < 1.1e-4  # of second order; tolerances of contacts add up
+    assert 3.4 < errors[0][1] / errors[1][1] < 4.2  # at later times, the tolerances hide it
 
 
 def falls(route: ModuleType) -> bool:
-    """Whether a route gives the fall that both give."""
+    """Whether a route has the fall on which both agree."""
     law = {"n": 10, "thick": 0.99 * KNOWN_TEN, "size": 1.3, "g": 9.81}
     return bool(np.allclose(route.crown_drop(np.array([0.2]), **law), FALLEN, rtol=1e-5, atol=0))
 
@@ -121,7 +121,7 @@ KNOWN_TEN = thrust.thinnest_of_chords(10)
 FALLEN = energetic.crown_drop(np.array([0.2]), n=10, thick=0.99 * KNOWN_TEN, size=1.3, g=9.81)
 
 
-# signs that change nothing: about moments of inertia, and areas of all voussoirs alike
+# signs without effect, in moments of inertia and in areas, equal for all voussoirs
 @pytest.mark.parametrize("sign", signs(falling, (), ("at - middle", "b - a")))
 def test_any_wrong_sign_in_the_fall_is_caught(sign: int) -> None:
     with np.errstate(all="ignore"):
@@ -130,7 +130,7 @@ def test_any_wrong_sign_in_the_fall_is_caught(sign: int) -> None:
 
 @pytest.mark.parametrize("dt", [5e-3, 2.5e-3, 1.25e-3])
 def test_dda_solves_for_friction_in_the_arch_that_falls(dt: float) -> None:
-    """Its hinges open at edges that stay in touch, where open-close iterations do not end."""
+    """Its hinges open about edges that stay closed, where open-close iterations do not end."""
     ask = Ask(
         scene("arch-thin", part=0.99), History(0.15, 0.05), (Displacement(5),), Knobs(dt, 1e9)
     )
@@ -142,7 +142,7 @@ def test_dda_solves_for_friction_in_the_arch_that_falls(dt: float) -> None:
 
 
 def test_an_arch_that_dda_bursts_within_an_output_is_said_to_diverge() -> None:
-    """A step throws its blocks 1e13 m apart, and in the next no contacts could be found."""
+    """One step throws its blocks 1e13 m apart, and the next one could not search for contacts."""
     ask = Ask(
         scene("arch-thin", part=0.99), History(0.2, 0.02), (Displacement(5),), Knobs(5e-3, 1e10)
     )
@@ -161,7 +161,7 @@ def test_a_hundred_blocks_stand_on_springs_for_ten_seconds(solve: object) -> Non
 
 @pytest.mark.parametrize("dt", [0.1, 0.01])
 def test_a_hundred_blocks_stand_in_rigid_contact(dt: float) -> None:
-    """Sweeps pass their loads on by a block each; Newton steps bear all of them at once."""
+    """Sweeps transmit loads by one block each; Newton steps solve for all of them at once."""
     top = Displacement(100)
     ask = Ask(scene("stack-10", n=100), History(0.5, 0.1), (top,), Knobs(dt))
     run = rigid.solve(ask)
@@ -172,7 +172,7 @@ def test_a_hundred_blocks_stand_in_rigid_contact(dt: float) -> None:
 
 
 def test_blocks_that_touch_few_others_are_numbered_in_a_chain() -> None:
-    """However the scene numbers them: else the equations of Newton steps would fill no band."""
+    """Any numbering in the scene is replaced, so that equations of Newton steps are banded."""
     whole = scene("stack-10", n=30)
     mixed = np.random.default_rng(1).permutation(30)
     bodies = (*whole.walls, *(whole.blocks[k] for k in mixed))
@@ -195,7 +195,7 @@ def test_a_stack_without_friction_that_is_pushed_is_seen() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives the thinnest arches that are known."""
+    """Whether a route has the known least thicknesses of arches."""
     if hasattr(route, "outlines"):
         middle = route.centroid(np.array([[1.0, 1.0], [3.0, 1.0], [3.0, 2.0], [1.0, 4.0]]))
         good = np.allclose(middle, [11 / 6, 25 / 12], rtol=1e-12)  # of a trapezium

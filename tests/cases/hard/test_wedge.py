@@ -1,4 +1,4 @@
-"""Claims about a wedge in a groove: two routes agree, and how narrow a groove codes can bear."""
+"""Claims about a wedge in a groove: two routes agree, and how narrow a groove codes can solve."""
 
 import math
 from types import ModuleType
@@ -34,7 +34,7 @@ def test_a_groove_as_wide_as_a_plane_is_one_and_rough_ones_hold() -> None:
 
 
 def farthest(xi: float, solve: object) -> tuple[float, Run]:
-    """The largest error of a run in a groove, in parts of the way."""
+    """The largest error of a run in a groove, relative to the displacement."""
     trial = CASE.declare("xi-1", {**CASE.defaults("xi-1"), "xi": xi})
     study, (s,) = trial.study, trial.quantities
     ask = Ask(study.scene, study.goal, study.observables, study.rungs[Level.DEFAULT][0])
@@ -46,7 +46,7 @@ def farthest(xi: float, solve: object) -> tuple[float, Run]:
 
 
 def breach(run: Run) -> float:
-    """The largest breach of a law by the run's own audits, over what is allowed."""
+    """The largest residual of a law in the run's own audits, over the allowed one."""
     assert run.ledger is not None
     return max(seen / allowed for seen, allowed in run.ledger.audits.values())
 
@@ -58,7 +58,7 @@ def test_rigid_contact_bears_a_hundredth_of_a_radian() -> None:
 
 
 def test_rigid_contact_bears_a_millionth_of_a_radian() -> None:
-    """1.2e-5 of the way, or all of it, where sweeps add up their rounding; a step leaves some."""
+    """Rounding in sweeps would cause errors of 1.2e-5 to 1; a Newton step leaves less."""
     for xi, bound in ((1e-3, 1e-9), (1e-4, 1e-8), (1e-5, 3e-6), (1e-6, 3e-6)):
         error, run = farthest(xi, rigid.solve)
         assert error < bound
@@ -73,7 +73,7 @@ def test_springs_let_a_narrow_wedge_fall_through() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives how a wedge slides that is known."""
+    """Whether a route has the known sliding of a wedge."""
     law = {"dip": 25.0, "xi": 0.7, "mu": 0.1, "g": 9.81}
     s, c, K = math.sin(math.radians(25)), math.cos(math.radians(25)), 1 / math.sin(0.35)
     due = 9.81 * (s - 0.1 * K * c)

@@ -1,4 +1,4 @@
-"""Claims about what was measured of impacts of aluminium oxide: the figures bear each other out."""
+"""Claims about the measured impacts of aluminium oxide: the measurements are consistent."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from cases.impact.kharaz import (
 )
 
 GIVEN = CASE.defaults("hertz")
-SLIDING = 25.0  # degrees beyond which spheres slide throughout
+SLIDING = 25.0  # degrees from the normal; beyond it spheres slide throughout
 
 
 def kept(angle: float) -> float:
-    """The tangential restitution at an angle [degrees], between those measured."""
+    """The tangential restitution at an angle [degrees], interpolated between measurements."""
     return float(np.interp(angle, sorted(KEPT), [KEPT[one] for one in sorted(KEPT)]))
 
 

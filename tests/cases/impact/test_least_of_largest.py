@@ -1,4 +1,7 @@
-"""What the laws of an impact are chosen by: the least of the largest errors, none asked in vain."""
+"""Claims about the choice among laws of an impact: the least of the largest errors is found.
+
+No more errors are computed than the choice needs.
+"""
 
 from __future__ import annotations
 

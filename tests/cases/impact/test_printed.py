@@ -1,4 +1,4 @@
-"""Claims about what MFiX prints beside the case: read off outputs, and reproduced to 0.3 %."""
+"""Claims about values that MFiX prints: derived from outputs, and reproduced to 0.3 %."""
 
 from collections.abc import Mapping
 
@@ -26,7 +26,7 @@ def _run(times: Vector, values: Mapping[Observable, Vector]) -> Run:
 
 
 def _exact(variant: str) -> tuple[Trial, Run]:
-    """The exact answer to a variant at the times at which codes are asked."""
+    """A variant and its exact solution at the output times of codes."""
     trial, p = _trial(variant)
     goal = trial.study.goal
     times = goal.times(trial.study.rungs[Level.QUICK][0].dt)

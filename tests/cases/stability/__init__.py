@@ -1,1 +1,1 @@
-"""Claims about the cases of steps and how long they stay stable."""
+"""Claims about the cases of stable steps."""

@@ -1,4 +1,4 @@
-"""Claims about a chain on a base: its modes, its waves, and what comes back from a jump."""
+"""Claims about a chain on a base: its modes, its waves, and their reflection at a jump of mass."""
 
 import math
 from types import ModuleType
@@ -59,26 +59,26 @@ def test_long_waves_leave_a_ninth_behind_and_short_ones_all() -> None:
 
 
 def scalar(trial: Trial, name: str) -> Scalar:
-    """A number that is measured."""
+    """The measured quantity of this name."""
     (found,) = (q for q in trial.quantities if isinstance(q, Scalar) and q.name == name)
     return found
 
 
 def reference_of(trial: Trial, name: str) -> float:
-    """What it should be."""
+    """The reference value of the quantity of this name."""
     reference = scalar(trial, name).reference
     assert reference is not None
     return evaluated(reference)
 
 
 def test_the_pulse_leaves_behind_what_its_waves_do() -> None:
-    """Its energy at each phase a sphere, times what a jump sends back of it."""
+    """The energy of each wave number of the pulse is reflected by the coefficient of the jump."""
     trial = CASE.declare("jump", CASE.defaults("jump"))
     due = reference_of(trial, "returned")
     q = np.linspace(1e-3, 1.0, 2000)
     part = np.abs(np.sin(np.outer(q, PLACE)) @ PULSE) ** 2
     back = np.array([closed.reflected(one, 1.0, 4.0, K) for one in q])
-    passed = np.cos(q / 2)  # of the energy at q, what passes a place in a second
+    passed = np.cos(q / 2)  # flux of energy at the wave number q, by the group velocity
     assert due == pytest.approx((part * back * passed).sum() / (part * passed).sum(), rel=2e-3)
 
 
@@ -87,19 +87,19 @@ def test_the_pulse_goes_as_fast_as_its_waves_do() -> None:
     due = reference_of(trial, "speed")
     q = np.linspace(1e-3, 1.0, 2000)
     part = np.abs(np.sin(np.outer(q, PLACE)) @ PULSE) ** 2
-    speed = np.cos(q / 2)  # in sqrt(K/m) masses a second
+    speed = np.cos(q / 2)  # group velocity, in masses times sqrt(K/m)
     assert due == pytest.approx((part * speed).sum() / part.sum(), rel=2e-3)
 
 
 def _largest(scene: Scene) -> float:
-    """The largest stable step over that of two masses' spring, by the engine."""
+    """The largest stable step of the engine over that of two masses on their spring."""
     return dem.critical_step(scene, dem.CENTRED) * math.sqrt(K / M)
 
 
 def test_the_engine_knows_the_highest_mode() -> None:
     scene = CASE.declare("mode-100", CASE.defaults("mode-100")).study.scene
     due = 2 / closed.frequency(N, N, M, K) * math.sqrt(K / M)
-    assert _largest(scene) == pytest.approx(due, rel=5e-5)  # an iteration finds it to that
+    assert _largest(scene) == pytest.approx(due, rel=5e-5)  # the accuracy of the iteration
 
 
 def test_a_wrong_mass_at_the_jump_is_seen() -> None:
@@ -111,7 +111,7 @@ def test_a_wrong_mass_at_the_jump_is_seen() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives what is known of a chain of seven with a jump."""
+    """Whether a route has the known values for a chain of seven masses with a jump."""
     masses, thrown = np.where(np.arange(7) > 3, 2.0, 1.0), np.arange(7.0) ** 2
     t = np.linspace(0.0, 3.0, 4)
     due = stepped.motion(t, thrown, masses, 1.0)
@@ -123,7 +123,7 @@ def same(route: ModuleType) -> bool:
         return good and bool(np.abs([*modes, back]).max() < 1e-9)
     modes = [stepped.residual(route.frequency(j, 7, 2.0, 3.0), 7, 2.0, 3.0) for j in (1, 7)]
     shape = route.shape(5, 7) / route.shape(5, 7)[0]
-    bent = shape[1] - 2 + route.frequency(5, 7, 1.0, 1.0) ** 2  # the first mass's equation
+    bent = shape[1] - 2 + route.frequency(5, 7, 1.0, 1.0) ** 2  # equation of the first mass
     back = route.reflected(0.3, 1.0, 4.0, 1.0) - stepped.reflected(0.3, 1.0, 4.0)
     good = good and len(route.shape(5, 7)) == 7
     return good and bool(np.abs([*modes, bent, back]).max() < 1e-9)

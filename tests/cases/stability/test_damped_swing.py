@@ -1,4 +1,4 @@
-"""Claims about generalised alpha: two routes to its roots, and the engine's step, agree."""
+"""Claims about generalised alpha: two routes to its roots agree with each other and the engine."""
 
 import dataclasses
 import math
@@ -74,7 +74,7 @@ def test_a_radius_that_no_step_has_is_refused() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives the polynomial, size and slowing that the other gives."""
+    """Whether a route has the polynomial, spectral radius and slowing of the other route."""
     for angle, radius in ((0.3, 0.5), (3.0, 0.2), (30.0, 0.8)):
         matrix = taken.amplification(angle, radius)
         due, roots = np.poly(matrix), np.linalg.eigvals(matrix)

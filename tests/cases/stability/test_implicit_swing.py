@@ -1,4 +1,4 @@
-"""Claims about the implicit step of DDA: theory, the step as it stands, and the engine agree."""
+"""Claims about the implicit step of DDA: theory, the step itself, and the engine agree."""
 
 import dataclasses
 import math
@@ -46,7 +46,7 @@ PRINTED = [(1e-2, 0.22568), (1e-3, 0.031756), (1e-4, 0.0032726), (1e-5, 0.000328
 def test_three_percent_of_kinetic_damping_leave_less_the_smaller_the_step(
     dt: float, printed: float
 ) -> None:
-    """1 m/s2 for 1 s: half a metre is right."""
+    """An acceleration of 1 m/s2 for 1 s should move the block by 0.5 m."""
     steps = round(1 / dt)
     closed = theory.damped_drive(1.0, dt, steps, 0.97)
     assert closed == pytest.approx(printed, rel=3e-5)
@@ -56,7 +56,7 @@ def test_three_percent_of_kinetic_damping_leave_less_the_smaller_the_step(
 
 
 def pushed(dt: float, steps: int) -> float:
-    """How far the engine's step, damped by 3 %, moves a block under 1 m/s2."""
+    """The displacement of a block under 1 m/s2 in the engine, with 3 % of kinetic damping."""
     vertices, faces = box_geometry(np.zeros(3), np.ones(3), np.eye(3))
     mass, inertia = polyhedron_inertia(vertices, faces, 1.0)
     still, free = np.zeros(3, bool), np.ones(3, bool)
@@ -87,7 +87,7 @@ def test_a_start_so_fast_that_the_tip_leaves_is_refused() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives what the other gives of roots, damping and a damped drive."""
+    """Whether a route has the roots, the damping and the damped motion of the other route."""
     if hasattr(route, "roots"):
         radii = [np.abs(route.roots(angle)).max() for angle in (0.3, 3.0, 30.0)]
     else:

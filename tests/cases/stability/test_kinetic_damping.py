@@ -1,4 +1,4 @@
-"""Claims about kinetic damping: dd is a knob, and who has none refuses."""
+"""Claims about kinetic damping: dd is a knob, and schemes without it refuse."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ TRIAL = CASE.declare("3-per-cent", CASE.defaults("3-per-cent"))
 
 
 def answer(name: str, scheme: Scheme, knobs: Knobs) -> str:
-    """Why a scheme does not run the case at these knobs; empty if it does."""
+    """The reason why a scheme does not run the case at these knobs; empty if it runs."""
     adapter = PROJECT.load_adapter(name)
     ask = TRIAL.study.ask(project_knobs(knobs, scheme))
     run = known_beforehand(adapter, scheme, ask, adapter.found())
@@ -45,9 +45,9 @@ def test_a_rung_says_its_damping_and_other_rungs_are_written_as_before() -> None
     assert in_words(Knobs(dd=0.0)) == "dd=0"
 
 
-@pytest.mark.parametrize("scheme", ["default", "generalised-alpha"])  # a model of its own each
+@pytest.mark.parametrize("scheme", ["default", "generalised-alpha"])  # each has its own model
 def test_a_hundred_thousand_steps_are_summed_to_rounding(scheme: str, tmp_path: Path) -> None:
-    """Summed plainly, places lost 1e-12 of the way at dd = 0.913."""
+    """Plain summation had errors of 1e-12 in positions at dd = 0.913."""
     trial = CASE.declare("3-per-cent", {**CASE.defaults("3-per-cent"), "dd": 0.913})
     ask = trial.study.ask(trial.study.rungs[Level.DEFAULT][-1])
     (run,) = PROJECT.load_adapter("dda").run([ask], scheme, tmp_path, 0.0)

@@ -1,4 +1,4 @@
-"""Claims about swings without loss: theory, two routes, and the leapfrog over a million periods."""
+"""Claims about undamped oscillations: theory, two routes, the leapfrog over a million periods."""
 
 import dataclasses
 import math
@@ -37,7 +37,7 @@ def test_a_swing_is_too_fast_by_a_24th_of_the_square() -> None:
 
 
 def test_a_million_periods_keep_the_shadow_energy_and_the_phase_of_theory() -> None:
-    """25 million steps, two a percent of a second; outputs so close that the phase is counted."""
+    """The run has 25 million steps; outputs are dense enough to count the periods."""
     angle, period = 0.25, 2 * math.pi / W
     goal = History(1e6 * period, 100.3 * period)
     ask = Ask(TRIAL.study.scene, goal, (Displacement(1), Velocity(1)), Knobs(angle / W))
@@ -50,7 +50,7 @@ def test_a_million_periods_keep_the_shadow_energy_and_the_phase_of_theory() -> N
 
 
 def path(angle: float, x: Vector | float = 0.0, v: Vector | float = 0.0) -> Run:
-    """A leapfrog's path by theory over 2000 steps of W dt = angle, and what is added to it."""
+    """The theoretical path of a leapfrog over 2000 steps of W dt = angle, with errors x and v."""
     n = np.arange(0, 2001, 20)
     turned_by, dt = theory.phase_per_step(angle) * n, angle / W
     moved = angle / math.sin(theory.phase_per_step(angle)) * np.sin(turned_by) / W + x
@@ -96,7 +96,7 @@ def test_a_swing_that_decays_has_its_damping_ratio() -> None:
 
 
 def test_levels_grow_and_the_phase_stays_countable() -> None:
-    """Between two outputs a leapfrog gets ahead of the exact swing by less than half a turn."""
+    """Between two outputs a leapfrog leads the exact oscillation by less than half a period."""
     study = TRIAL.study
     for knobs in study.rungs[Level.PAPER]:
         assert knobs.dt is not None
@@ -106,7 +106,7 @@ def test_levels_grow_and_the_phase_stays_countable() -> None:
 
 
 def same(route: ModuleType) -> bool:
-    """Whether a route gives the phase and the stiffness that are known."""
+    """Whether a route has the known phase and stiffness."""
     found = [(route.phase_per_step(a), route.stiffness(a)) for a in ANGLES]
     due = [(2 * math.asin(a / 2), 1 - a * a / 4) for a in ANGLES]
     return bool(np.allclose(found, due, rtol=1e-8))

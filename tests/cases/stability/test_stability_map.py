@@ -1,4 +1,4 @@
-"""Claims about the map of stable steps: what it changes beside the stiffness."""
+"""Claims about the map of stable steps: the parameters that change with the stiffness."""
 
 from __future__ import annotations
 

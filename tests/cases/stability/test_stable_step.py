@@ -35,13 +35,13 @@ def test_the_published_scheme_on_t2_has_the_known_limit() -> None:
 @settings(max_examples=60)
 def test_the_two_routes_agree(w: float, ratio: float) -> None:
     n = ratio * w
-    # the radius is flat to rounding about a double root, and the bisection as sharp as its root
+    # near a double root the radius is flat to rounding, which limits bisection to its square root
     assert bisected.largest_step(w, n, 1.0) == pytest.approx(theory.lagged(w, n), rel=1e-9)
     assert bisected.largest_step(w, n, 0.5) == pytest.approx(theory.centred(w), rel=1e-9)
 
 
 def same(route: object) -> bool:
-    """Whether a route gives the limits of T2."""
+    """Whether a route has the known limits of T2."""
     if hasattr(route, "largest_step"):
         found = [route.largest_step(K, N, lag) for lag in (0.5, 1.0)]
     else:
@@ -60,7 +60,7 @@ def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
 
 
 def grows(scene: Scene, leapfrog: dem.Leapfrog, dt: float, body: int) -> bool:
-    """Whether a small swing reaches a thousand times what it is, or is said to diverge."""
+    """Whether a small oscillation grows tenfold from the first to the second half, or diverges."""
     ask = Ask(scene, History(3000 * dt, dt), (Displacement(body),), Knobs(dt))
     run = dem.prepare(ask, leapfrog)
     made = run.run(run.solve())
@@ -71,7 +71,7 @@ def grows(scene: Scene, leapfrog: dem.Leapfrog, dt: float, body: int) -> bool:
 
 
 def largest(scene: Scene, leapfrog: dem.Leapfrog, body: int, guess: float) -> float:
-    """The largest stable step by bisection on what the engine does."""
+    """The largest stable step by bisection on the growth in the engine."""
     low, high = 0.5 * guess, 1.5 * guess
     for _ in range(14):
         middle = (low + high) / 2
@@ -97,7 +97,7 @@ def test_the_engine_becomes_unstable_where_theory_says(
 
 @pytest.mark.parametrize("ratio", [1.0, 1e3, 1e6])
 def test_it_does_for_two_unequal_masses_too(ratio: float) -> None:
-    """Two pressed on each other swing at w^2 = K (1/m + 1/M)."""
+    """Two masses pressed together oscillate at w^2 = K (1/m + 1/M)."""
     load = 1e3 * np.array([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]])
     spheres = Spheres(
         position=np.array([[0.0, 0.0, 0.0], [2.0 - 1e-3, 0.0, 0.0]]),
@@ -148,7 +148,7 @@ def test_divergence_is_seen_within_an_output_interval() -> None:
 
 
 def searched(name: str, variant: str, scheme: str, folder: Path) -> tuple[Run, list[Scalar]]:
-    """A search in dem, whatever dem refuses beforehand, and what is measured of it."""
+    """A search in dem, regardless of what dem refuses beforehand, and the quantities measured."""
     case = PROJECT.load_case(name)
     trial = case.declare(variant, case.defaults(variant))
     ask = trial.study.ask(trial.study.rungs[Level.QUICK][0])

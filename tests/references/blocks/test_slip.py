@@ -105,7 +105,7 @@ def test_friction_opposes_every_slip_and_holds_every_rest(p: dict[str, float]) -
             else:
                 assert np.all(np.abs(friction) <= limit + 1e-6)
                 assert w == pytest.approx(0.0, abs=1e-9)
-            assert np.all(friction * w >= -2e-8)  # dissipated, never given
+            assert np.all(friction * w >= -2e-8)  # friction dissipates energy and never supplies it
 
 
 def test_friction_opposes_the_velocity_where_a_slip_turns() -> None:

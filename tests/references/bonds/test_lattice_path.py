@@ -1,4 +1,4 @@
-"""Claims about blocks at finite strain: they follow the path of the unit, and small strains."""
+"""Claims about blocks at finite strain: the path of the unit, and the limit of small strains."""
 
 import numpy as np
 import pytest

@@ -12,9 +12,7 @@ RATE = 2 * np.sqrt(KS / M)
 
 
 def path(strain: float) -> tuple[np.ndarray, np.ndarray]:
-    """Displacements of a unit that starts to rotate with this amplitude, and the sine of small
-    ones.
-    """
+    """Displacements of a unit that starts to rotate at this amplitude, and their linear limit."""
     thrown = D * strain * ROUND
     moved = turned_unit.path(D * CORNERS, EDGES, RATE * thrown, m=M, kn=KN, ks=KS)(TIMES)
     return moved, np.sin(RATE * TIMES)[:, None, None] * thrown

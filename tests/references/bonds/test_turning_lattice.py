@@ -1,6 +1,4 @@
-"""Claims about bonded elements that can rotate: two routes agree; in the unit, shear is not
-resisted.
-"""
+"""Claims about bonded elements that rotate: two routes agree; the unit's shear springs are idle."""
 
 import numpy as np
 import pytest

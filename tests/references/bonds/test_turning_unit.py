@@ -15,9 +15,7 @@ SPRINGS = {"kn": 2.156e8, "ks": 2.257e7, "d": 1.167e-3, "m": 1.87383297e-6, "eta
 
 
 def test_weak_shear_springs_take_longer_to_rest() -> None:
-    """The mode of rotation moves the centres in proportion to ks/kn, so its damping is quadratic in
-    it.
-    """
+    """The slow mode moves the centres in proportion to ks/kn: its damping falls with the square."""
     times = [
         time_to_rest(CORNERS, EDGES, BASE, LOAD, 1e-9, **{**SPRINGS, "ks": part * SPRINGS["kn"]})
         for part in (0.02, 0.04, 0.08)

@@ -1,6 +1,4 @@
-"""Claims about unequal spheres on unequal bonds: modes and first order agree with Newton's
-equations.
-"""
+"""Claims about unequal spheres on unequal bonds: modes and first order agree with Newton."""
 
 from __future__ import annotations
 

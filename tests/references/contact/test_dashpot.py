@@ -87,9 +87,7 @@ def test_exact_and_dem_return_it_as_the_formula_says(z: float) -> None:
 
 @pytest.mark.parametrize("solve", [exact.solve, dem.solve_default, dem.solve_published])
 def test_what_the_dashpot_takes_is_booked(solve: object) -> None:
-    """It is the loss of kinetic energy that the restitution implies, also of contacts that have
-    ended.
-    """
+    """It is the kinetic energy that the restitution removes, also of contacts that have ended."""
     run: Run = solve(asked(0.6, 5e-6))  # type: ignore[operator]
     ledger = run.ledger
     assert ledger is not None

@@ -1,4 +1,4 @@
-"""Claims about a body that skids over a spring: two routes agree, also on energy and momentum."""
+"""Claims about a body that skids over a spring: two routes agree, its loss is friction work."""
 
 from __future__ import annotations
 
@@ -18,9 +18,7 @@ LAW = {"m": 2.0, "kn": 3e5, "ks": 2e5, "mu": 0.5, "vn": 0.3, "vt": 0.4}
 
 
 def agree(one: ModuleType, other: ModuleType, **law: float) -> bool:
-    """Whether the routes agree in contact, to the second order of one, and the motion is free after
-    it.
-    """
+    """Whether the routes agree in contact, to second order in steps, and motion is free later."""
     t, due = other.contact(**law, steps=4000)
     found = np.concatenate(one.motion(t, **law), axis=1)
     size = law["vt"] * np.array([t[-1], t[-1], 1.0, 1.0])

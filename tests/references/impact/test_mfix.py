@@ -1,6 +1,4 @@
-"""Claims about MFiX's DEM cases 01 to 04 and 06: two routes agree, and printed values are
-explained.
-"""
+"""Claims about MFiX's DEM cases 01 to 04 and 06: two routes agree and explain printed values."""
 
 import math
 

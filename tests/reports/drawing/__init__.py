@@ -1,1 +1,1 @@
-"""Claims about figures: maps, motion, phases, and what was measured beside them."""
+"""Claims about figures: maps, motion, phases, and comparisons with measurements."""

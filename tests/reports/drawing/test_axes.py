@@ -17,7 +17,7 @@ def said(axis: Axis) -> list[str]:
 
 
 def number(words: str) -> float:
-    """The number that a label says, of a power of ten such as 10⁻³ too."""
+    """The number in a label, also in a power of ten such as 10⁻³."""
     power = words.removeprefix("10").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
     return 10.0 ** int(power) if words.startswith("10") and power != "" else float(words)
 
@@ -25,7 +25,7 @@ def number(words: str) -> float:
 @pytest.mark.parametrize(
     ("values", "low", "high", "ticks"),
     [
-        ([0.0, 1000.0], -40.0, 1040.0, ["0", "500", "1000"]),  # 216 a label: the next is 500
+        ([0.0, 1000.0], -40.0, 1040.0, ["0", "500", "1000"]),  # 216 per label, rounded up to 500
         ([-3.0, 7.0], -3.4, 7.4, ["0", "5"]),
         ([4.0, 4.0], 1.84, 6.16, ["2", "3", "4", "5", "6"]),  # half of a constant either way
         ([-4.0, -4.0], -6.16, -1.84, ["-6", "-5", "-4", "-3", "-2"]),

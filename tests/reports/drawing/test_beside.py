@@ -1,4 +1,4 @@
-"""Claims about figures of one kind of case: what was measured, and maps of regions."""
+"""Claims about figures of particular kinds of cases: measured values, and maps of regions."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ BORDER = ((0.0, 0.0), (30.0, 30.0))
 
 
 def of(facts: VariantFacts, *records: Record) -> Manifest:
-    """These records of a case whose first variant is as these facts say."""
+    """A manifest of these records, of a case whose first variant has these facts."""
     variants = {**case().variants, "T1": facts}
     return dataclasses.replace(
         manifest(*records), cases={"bounce": dataclasses.replace(case(), variants=variants)}

@@ -1,4 +1,4 @@
-"""Claims about charts as data: what is drawn, what is on a rim, what is joined, by hand."""
+"""Claims about charts as data: what is drawn, clipped to the rim, or joined, checked by hand."""
 
 from __future__ import annotations
 

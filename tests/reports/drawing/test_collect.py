@@ -1,4 +1,4 @@
-"""Claims about what figures are made of: which settings, which series, which points, by hand."""
+"""Claims about the data of figures: which settings, series and points they have, by hand."""
 
 from __future__ import annotations
 

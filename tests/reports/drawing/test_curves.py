@@ -1,4 +1,4 @@
-"""Claims about a chart: places of curves, markers, rims, names and guides, by hand."""
+"""Claims about a chart: positions of curves, markers, rims, names and guides, by hand."""
 
 from __future__ import annotations
 
@@ -133,12 +133,12 @@ def test_a_logarithmic_chart_has_six_per_cent_of_room_and_markers_of_unlike_size
     assert numbers(next(group.every("path", class_="dots")).named["d"]) == near(
         log_x(1e-3), log_y(1e-4), log_x(1e-2), log_y(1e-3), log_x(1e-1), log_y(1e-2)
     )
-    assert len([*drawn.every("g", class_="k8")]) == 1  # and the last the least
+    assert len([*drawn.every("g", class_="k8")]) == 1  # and the last has the smallest
 
 
 def test_guides_have_their_slope_from_the_top_right_or_the_top_left() -> None:
     drawn = read(draw(LOG))
-    top = 10**-1.88  # of the axis
+    top = 10**-1.88  # the top of the axis
     first, second = paths(drawn, "guide")
     # slope 1 through (0.1, 0.01): it leaves the axes above at 0.1 top/0.01 and below at 10^-3.12
     right = min(0.1 * top / 0.01, 10**-0.88)
@@ -276,7 +276,7 @@ def test_a_curve_that_turns_back_has_no_zoom() -> None:
 
 @pytest.mark.parametrize("slope", [-1, -2, 1, 2])
 def test_a_guide_is_drawn_though_the_least_is_next_to_nothing(slope: int) -> None:
-    """0 to a negative power ended the report."""
+    """Once, 0 to a negative power ended the report."""
     curves = (curve(A, [1e-6, 1e-3], [1e-2, 5e-324]),)
     drawn = read(draw(Chart("CPU [s]", "error", True, True, curves, guides=(slope,))))
     assert len(list(drawn.every("path", class_="guide"))) == 1

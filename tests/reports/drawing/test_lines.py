@@ -1,4 +1,4 @@
-"""Claims about lines of drawings: which points are kept, and how places are written, by hand."""
+"""Claims about lines of drawings: which points are kept, and how positions are written, by hand."""
 
 from __future__ import annotations
 

@@ -97,7 +97,7 @@ def test_the_responding_block_is_mapped_over_nine_stiffnesses_and_six_steps() ->
 
 
 def related(kn: float, errors: dict[float, float | None], refused: bool = False) -> Ladder:
-    """Errors at multiples of a critical step that falls as kn^-1/2."""
+    """A ladder of errors at multiples of a critical step that decreases as kn^-1/2."""
     points = tuple(
         Point(ratio * kn**-0.5, error, 0.1, False, False, refused and error is None)
         for ratio, error in errors.items()

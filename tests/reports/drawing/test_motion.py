@@ -53,7 +53,7 @@ SEEN = """
 
 
 def moved_case(size: float = 2.0) -> CaseFacts:
-    """The fabricated case, with a drawing of this many metres in which y lifts a sphere."""
+    """The fabricated case with a drawing `size` metres wide, in which y lifts a sphere."""
     facts = case()
     drawn = dataclasses.replace(TWO, size=size)
     variants = {
@@ -64,7 +64,7 @@ def moved_case(size: float = 2.0) -> CaseFacts:
 
 
 def played(store: Store, size: float) -> dict[str, object]:
-    """What the page of the case is given to play, of its first variant."""
+    """The data from which the page of the case plays its first variant."""
     records = [ran(store, "dem/default", "T1", 4e-3, "pass")]
     whole = manifest(*records, cases={"bounce": moved_case(size)})
     page = pages(whole, store)["case-bounce.html"]

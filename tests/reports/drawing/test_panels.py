@@ -1,4 +1,4 @@
-"""Claims about the drawing of a map of errors: places, colours and signs of cells, by hand."""
+"""Claims about the drawing of a map of errors: positions, colours and signs of cells, by hand."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ ERRORS = [[3e-4, 0.02], [NAN, 5.0], [0.0, NAN]]
 
 
 def whole() -> Node:
-    """The first of four panels has errors of all kinds, a refused cell and one too long."""
+    """A map of four panels; the first has all kinds of errors, a refused cell and a long one."""
     first = panel("a/a", ERRORS)
     refused, long = np.zeros((3, 2), bool), np.zeros((3, 2), bool)
     refused[2, 1] = long[2, 1] = refused[1, 0] = True

@@ -1,4 +1,4 @@
-"""Claims about phase pictures: one quantity over another, as each scheme has them."""
+"""Claims about phase diagrams: one quantity over another, for each scheme."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ def history(label: str, value: np.ndarray, reference: np.ndarray | None) -> Hist
 
 
 def test_a_scheme_is_drawn_where_both_quantities_put_it() -> None:
-    """The exact curve behind it; a scheme that has only one of the two is left out."""
+    """The exact curve is drawn behind it; a scheme with only one of both quantities is left out."""
     lean = [history("one", T, T), history("other", T, T)]
     rate = [history("one", T**2, 1.0 - T)]
     (figure,) = phase_figures(lean, rate, (FACTS[0], FACTS[1]))

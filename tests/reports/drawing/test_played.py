@@ -1,4 +1,4 @@
-"""Claims about the data of a motion that is played: parts, scales and turns, by hand."""
+"""Claims about the data of a motion that is played: parts, scales and rotations, by hand."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ NAN = float("nan")
 
 
 def facts(size: float | None) -> VariantFacts:
-    """y moves a body up; z along (0.6, 0.8), and turns it by half a radian for each metre."""
+    """A variant in which y lifts a body, and z moves it along (0.6, 0.8) and rotates it.
+
+    The rotation is half a radian per metre.
+    """
     one = case().variants["T1"]
     (y,) = one.quantities
     z = changed(y, name="z", symbol="zeta", unit="")

@@ -1,4 +1,4 @@
-"""Claims about the pictures of all measurements: every place in them, against numbers by hand."""
+"""Claims about the figures of all measurements: every position in them, by hand."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ A, B = Mark("a/a", 3, (), ""), Mark("b/b", 5, (), "")
 
 
 def compared(name: str, computed: float, measured: float, sure: float, held: bool) -> Compared:
-    """sure: the standard uncertainty over the measured value."""
+    """A comparison; sure: the standard uncertainty over the measured value."""
     return Compared(name, "m", computed, measured, sure * measured, 1.0 if held else None, held)
 
 
@@ -28,7 +28,7 @@ KINDS = [
 
 
 def height(ratio: float, low: float, high: float) -> float:
-    """240 px of a logarithmic axis from its foot at 252."""
+    """The position on a logarithmic axis of 240 px with its foot at 252."""
     return 252 - 240 * math.log(ratio / low) / math.log(high / low)
 
 
@@ -69,10 +69,10 @@ def test_ratios_stand_in_slots_of_nine_pixels_over_bars_of_two_uncertainties() -
 @pytest.mark.parametrize(
     ("computed", "sure", "low", "high", "dot"),
     [
-        (1.0, 0.0, 0.95 / 1.1, 1.155, 1.0),  # a tenth either way at least
-        (10.0, 0.0, 0.95 / 1.1, 4.2, 4.2),  # what lies beyond is drawn at the end
+        (1.0, 0.0, 0.95 / 1.1, 1.155, 1.0),  # at least a tenth on both sides
+        (10.0, 0.0, 0.95 / 1.1, 4.2, 4.2),  # values beyond the axis are drawn at its end
         (0.0, 0.6, 0.2375, 1.05 * 2.2, 0.2375),
-        (1.0, 0.3, 0.38, 1.68, 1.0),  # a bar is seen as a whole
+        (1.0, 0.3, 0.38, 1.68, 1.0),  # the axis includes the whole bar
     ],
 )
 def test_the_axis_of_ratios_ends_at_a_quarter_and_at_four(
@@ -91,7 +91,7 @@ def test_the_axis_of_ratios_ends_at_a_quarter_and_at_four(
 
 
 def across(value: float, most: float) -> float:
-    """418 px of a logarithmic axis from 1/most to most, 1 at 399."""
+    """The position on a logarithmic axis of 418 px from 1/most to most, with 1 at 399."""
     return 399 + 209 * math.log(value) / math.log(most)
 
 

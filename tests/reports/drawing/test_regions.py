@@ -1,4 +1,4 @@
-"""Claims about maps of regions: places of panels, borders and signs, by hand."""
+"""Claims about maps of regions: positions of panels, borders and signs, by hand."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def y(panel: int, value: float) -> float:
 
 @pytest.fixture
 def four() -> Node:
-    """Four panels, which have one, two, three and three points."""
+    """Four panels with one, two, three and three points."""
     points = [((10.0, 20.0), 0, True), ((20.0, 50.0), 1, False), ((30.0, 0.0), 4, True)]
     found = [Found(Mark(name, 0, (), ""), points[: k + 1]) for k, name in enumerate(NAMES)]
     return read(draw_regions(CHART, found))

@@ -1,4 +1,4 @@
-"""Claims about the picture of computed over measured values: its places, by hand."""
+"""Claims about the figure of computed over measured values: its positions, by hand."""
 
 from __future__ import annotations
 

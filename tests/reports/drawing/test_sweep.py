@@ -1,4 +1,4 @@
-"""Claims about the picture of measured values over a condition: its places, by hand."""
+"""Claims about the figure of measured values over a condition: its positions, by hand."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ def point(at: float, computed: float, measured: float, sure: float) -> Compared:
 
 
 def across(at: float) -> float:
-    """10 to 30, and 6 % of that either way, from 58 to 530 px."""
+    """The position of a condition: 10 to 30, and 6 % of that on both sides, from 58 to 530 px."""
     return 58 + 472 * (at - 8.8) / 22.4
 
 
 def up(value: float) -> float:
-    """2 to 9, and 6 % of that either way, from 296 px up to 14."""
+    """The position of a value: 2 to 9, and 6 % of that on both sides, from 296 px up to 14."""
     return 296 - 282 * (value - 1.58) / 7.84
 
 

@@ -1,1 +1,1 @@
-"""Tests of the pages of a report: what they gather and count."""
+"""Claims about the pages of a report: what they gather and count."""

@@ -1,4 +1,4 @@
-"""Claims about what all pages are made from: what is quiet, how records stand, where links lead."""
+"""Claims about the common source of all pages: quiet outcomes, order of records, and links."""
 
 from __future__ import annotations
 

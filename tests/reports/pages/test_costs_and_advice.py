@@ -1,4 +1,4 @@
-"""Claims about what a variant's page says of costs: the table, the advice, which figures it has."""
+"""Claims about costs on the page of a variant: the table, the advice, and the figures."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_the_floor_of_all_knobs_is_told_and_of_each_stiffness_what_its_steps_sho
     (soft,) = efforts(*((dt, None, 1e-3, 1e-7 / dt) for dt in STEPS))
     assert [note.partition(":")[0] for note in table(soft)[0].notes] == ["1.0e-3"]
     (few,) = efforts((1e-3, 1e9, 1e-3, 1.0))
-    assert table(few)[0].notes == []  # of one setting nothing is told
+    assert table(few)[0].notes == []  # a single setting gives no advice
 
 
 def told(*here: Effort) -> list[tuple[str, list[tuple[str, str, str]]]]:

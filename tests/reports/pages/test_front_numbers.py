@@ -145,7 +145,7 @@ def test_the_front_page_counts_what_is_reported_only_and_is_red_by_what_is_enfor
 
 
 def made(monkeypatch: pytest.MonkeyPatch, troubles: int, findings: list[Finding]) -> Any:
-    """The front page of a book with so many troubles, and outcomes of which three are known."""
+    """The front page of a book with this many troubles, and four outcomes, three of them known."""
     seen = some(costs={}, cells={}, guessed=False)
     monkeypatch.setattr(front_page, "overview", lambda book: seen)
     monkeypatch.setattr(front_page, "troubles", lambda book: [some()] * troubles)

@@ -1,4 +1,4 @@
-"""Claims about findings gathered for a page: what is one row, in which order, told by which."""
+"""Claims about findings gathered for a page: their rows, order and wording."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LOOKS = marks(["a/a", "b/b"])
 
 
 def book(*shown: tuple[Any, Outcome], variants: str = "T1 T2") -> Any:
-    """Records with their outcomes, in a case that has these variants."""
+    """A book of records with their outcomes, in a case that has these variants."""
     facts = SimpleNamespace(variants=variants.split())
     return SimpleNamespace(
         shown=[(one, OUTCOMES[came]) for one, came in shown],
@@ -132,7 +132,7 @@ def found(kind: str, check: Aspect = Aspect.ACCURACY, **changes: Any) -> Finding
 
 
 def gathered(*every: Finding) -> list[tuple[str, str, int]]:
-    """Place, kind and count of what is shown."""
+    """The place, kind and count of each row."""
     return [(one.where, one.kind, one.count) for one in troubles(book(variants=""), every)]
 
 

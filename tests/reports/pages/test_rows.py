@@ -1,4 +1,4 @@
-"""Claims about rows of a report: of settings, of stability, and figures of measurements."""
+"""Claims about rows of a report: settings, stability, and figures of measurements."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LOOKS = marks(["a/a", "b/b"])
 
 
 def made(*rows: tuple[float, float], value: float | None = None, **changes: Any) -> Group:
-    """Settings (dt, error), the note and the unit being said too."""
+    """The group of records of settings (dt, error)."""
     records = [
         record("a/a", "T1", dt, key=f"{dt}", quantities=[
             entry("pass" if error < 1e-3 else "fail", {"max": error}, value=value,
@@ -35,7 +35,7 @@ def made(*rows: tuple[float, float], value: float | None = None, **changes: Any)
 
 
 def cells(table: object) -> list[list[str]]:
-    """The texts of the cells of each row, without the heading."""
+    """The texts of the cells of each row, without its heading."""
     rows = str(table).split("<tr>")
     return [
         re.sub(r"<(?!td)[^>]*>", "", row).strip().split("<td")[1:] for row in rows if "<td" in row

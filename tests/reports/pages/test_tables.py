@@ -1,4 +1,4 @@
-"""Claims about the tables of a variant: groups of settings, costs, and why colours differ."""
+"""Claims about the tables of a variant: groups of settings, costs, and reasons of colours."""
 
 from __future__ import annotations
 
