@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.blocks._failure_chart import (
+from cases.blocks.parts._failure_chart import (
     SEVERAL,
     STEEPEST,
     TURNS,

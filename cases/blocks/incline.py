@@ -8,8 +8,8 @@ import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import RUNGS, levels
-from cases.blocks import _incline_bounds
-from cases.blocks._incline_bounds import DENSITY, SIDE
+from cases.blocks.parts import _incline_bounds
+from cases.blocks.parts._incline_bounds import DENSITY, SIDE
 from reference_solutions.blocks import incline
 from vv.ask import Displacement, History, Knobs
 from vv.case import (

@@ -9,7 +9,7 @@ import numpy as np
 from cases._energy_balance import balance
 from cases._penalty import levels
 from cases._sines import harmonic
-from cases.blocks._laden_bounds import BOOKS, DRIFTS, RISES, SLIPS, SPEEDS, scaled
+from cases.blocks.parts._laden_bounds import BOOKS, DRIFTS, RISES, SLIPS, SPEEDS, scaled
 from reference_solutions.blocks import laden_block
 from reference_solutions.contact.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity

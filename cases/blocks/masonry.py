@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.blocks import _balance
+from cases.blocks.parts import _balance
 from reference_solutions.blocks import facade, responding_block
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (

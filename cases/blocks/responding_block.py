@@ -9,8 +9,8 @@ import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import RUNGS, levels
-from cases.blocks import _responding_bounds
-from cases.blocks._responding_bounds import DENSITY, SIDE, Path, directions
+from cases.blocks.parts import _responding_bounds
+from cases.blocks.parts._responding_bounds import DENSITY, SIDE, Path, directions
 from reference_solutions.blocks import responding_block
 from vv.ask import Displacement, History, Knobs
 from vv.case import (

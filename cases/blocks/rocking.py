@@ -7,10 +7,10 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.blocks import _rocking_bounds, _rocking_quantities
-from cases.blocks._leaning import CENTRE, MOVING, Leaning
-from cases.blocks._rocking_bounds import COARSE
-from cases.blocks._rocking_quantities import Law
+from cases.blocks.parts import _rocking_bounds, _rocking_quantities
+from cases.blocks.parts._leaning import CENTRE, MOVING, Leaning
+from cases.blocks.parts._rocking_bounds import COARSE
+from cases.blocks.parts._rocking_quantities import Law
 from reference_solutions.blocks import rocking
 from vv.ask import Bracket, History, Knobs, Run, SearchVariable
 from vv.case import (

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cases.blocks._leaning import CENTRE, MOVING, Leaning
+from cases.blocks.parts._leaning import CENTRE, MOVING, Leaning
 from cases.blocks.rocking import CASE
 from reference_solutions.blocks import rocking
 from vv.ask import Knobs, Method, Observable, Run, Status

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cases.blocks._leaning import CENTRE, MOVING, Leaning, Y
-from cases.blocks._rocking_bounds import at_threshold
+from cases.blocks.parts._leaning import CENTRE, MOVING, Leaning, Y
+from cases.blocks.parts._rocking_bounds import at_threshold
 from reference_solutions.blocks import rocking
 from vv.ask import Run
 from vv.case import Exact, Parameters, Quantity, RotationAbout, Scalar, Series, Shown
