@@ -126,12 +126,11 @@ def test_kinetic_damping_of_3_per_cent_holds_a_falling_block_back_by_the_step() 
     assert abs(path[-1]).max() == pytest.approx(0.000328, rel=2e-3)
 
 
-@pytest.mark.parametrize(("dt", "told"), [(5e-4, 0.0138), (4.3e-4, 0.0038)])
-def test_what_draws_at_random_found_is_as_it_is_told(dt: float, told: float) -> None:
+@pytest.mark.parametrize("dt", [5e-4, 4.3e-4])
+def test_a_base_that_never_lets_its_block_stick_is_followed_as_it_is_told(dt: float) -> None:
     block = {"mu": 0.482, "g": 28.6}
     at = Knobs(dt, 1e8)
-    late = found("responding-block:1d", "dda/augmented-lagrangian", at, "d2x", block)
-    assert late == pytest.approx(told, rel=0.02)
+    assert found("responding-block:1d", "dda/augmented-lagrangian", at, "d2x", block) <= 2e-5
 
 
 @pytest.mark.parametrize("kind", [SMALL, f"{SMALL} mu=0.3", f"{SMALL} mu=1.3"])

@@ -27,7 +27,7 @@ from vv.ask import Ask, Displacement, History, Knobs, Run
 from vv.base.metrics import observed_order
 from vv.case import Series
 from vv.engines.dda import BORNE, DEFAULT, refuses
-from vv.engines.dda.general.multipliers import EPS, ROUNDINGS
+from vv.engines.dda.general.augmented.multipliers import EPS, ROUNDINGS
 from vv.engines.dda.limits import HELD
 from vv.engines.dda.solve import LEAPT
 from vv.plan.project import find

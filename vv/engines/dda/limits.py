@@ -6,6 +6,9 @@ CUTS = 32
 SOON = 1e-3
 """A step is not divided where a slide stops within this fraction of it from either end."""
 
+ALONG = 1e-9
+"""The sine of an angle below which two directions are one."""
+
 GAIN = 4.0
 """A run has diverged if kinetic and elastic energy exceed this many times all energy put in.
 

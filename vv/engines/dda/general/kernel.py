@@ -6,6 +6,12 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index, Planes, Shapes
 from vv.engines.dda.general.assemble import apply_loads
+from vv.engines.dda.general.augmented.multipliers import (
+    add_multiplier_energies,
+    energy_of_fall,
+    iterate_multipliers,
+)
+from vv.engines.dda.general.augmented.reversal import only_shifts, turn_slide
 from vv.engines.dda.general.bodies import (
     Bodies,
     Motion,
@@ -42,11 +48,6 @@ from vv.engines.dda.general.energy import (
 )  # fmt: skip
 from vv.engines.dda.general.inertia import Rule, inertia_terms, part_to_stop, update_velocities
 from vv.engines.dda.general.iterate import iterate
-from vv.engines.dda.general.multipliers import (
-    add_multiplier_energies,
-    energy_of_fall,
-    iterate_multipliers,
-)
 from vv.engines.dda.general.rows import diverged, fill_forces, write_row
 from vv.engines.dda.general.turning import rotational_loads
 from vv.engines.dda.limits import CUTS, GAIN, SOON
@@ -152,6 +153,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     shaken_at = shaking_at if rule[1] == 0.0 else 1.0
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
     locates = len(bodies.mass) == 1 and multipliers == 0 and rule[1] == 0.0 and tolerance < np.inf
+    turns_back = multipliers > 0 and ks > 0.0 and only_shifts(bodies)
     ledger, worst, done = zero_numbers(TERMS), zero_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
     if multipliers > 0:  # no energy in springs: allow for rounding
@@ -211,6 +213,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                         restore_states(touch, state, push, direction)
                         part, uneven = to_stop * part, True
                         continue
+                if turns_back and ended:
+                    turn_slide(
+                        u, touch, state, direction, used, rub, relative, bodies, motion, base,
+                        starts, done * dt + begin, part, ks, mu,
+                    )  # fmt: skip
                 worst[FAILED] += 0 if ended else 1
                 over = 1.0 / share
                 if multipliers == 0:

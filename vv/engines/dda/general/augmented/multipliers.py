@@ -25,7 +25,7 @@ from vv.engines.dda.general.energy import (
 from vv.engines.dda.general.iterate import inertia_stiffness, iterate
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM, HELD, PATIENT, SLOW, STUCK
-from vv.engines.kernels.arrays import larger, same_numbers
+from vv.engines.kernels.arrays import larger, same_numbers, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
@@ -179,8 +179,10 @@ def add_multiplier_energies(
             ledger[NUMERICAL] -= dot(rubs, slip)
         elif used[k] == SLIDE:
             rubs = add_scaled(NOWHERE, -1.0, at(rub, k))
-            ledger[FRICTION] -= dot(rubs, slip)
-            ledger[CREATED] += larger(0.0, dot(rubs, slip))
+            gained = dot(rubs, slip)  # positive in steps in which a slide turns
+            ledger[FRICTION] -= smaller(gained, 0.0)
+            ledger[NUMERICAL] -= larger(gained, 0.0)
+            ledger[CREATED] += larger(0.0, gained)
         ledger[NUMERICAL] -= push * opened
         ledger[CREATED] += larger(0.0, push * opened)
         force = add_scaled(rubs, push, n)
