@@ -5,11 +5,11 @@ mutated; `--files 'vv/gate/*'` selects files, `--each N` takes at most N per fil
 takes N in all, if possible the same number in every layer, by a fixed random choice. With `--seed
 K` they are drawn from all places with equal probability, so that the surviving share estimates that
 of all mutants, with a confidence interval. `--part references` mutates the reference solutions, and
-runs the tests of references. For a mutant the tests that run its line are run, those of its own
-folder first, then the fastest, until one fails that passes without it; then the other tests of
-their files. For a mutant in code that runs at import, or that no test runs, the tests that run any
-line of the file are run. `equivalent.txt` names mutants that behave like the original; they do not
-count.
+runs the tests of references, and those of cases that compare one with its second route. For a
+mutant the tests that run its line are run, those of its own folder first, then the fastest, until
+one fails that passes without it; then the other tests of their files. For a mutant in code that
+runs at import, or that no test runs, the tests that run any line of the file are run.
+`equivalent.txt` names mutants that behave like the original; they do not count.
 """
 
 import argparse
@@ -141,9 +141,11 @@ def _said(mutant: Mutant, by: str | None) -> str:
 
 
 def folders(part: str) -> list[str]:
-    """The folders of the tests to run: those of the framework, or of another part."""
-    if part != "framework":
-        return [f"tests/{part}"]
+    """The tests to run: of the framework, or those that ask for a second route to a reference."""
+    if part == "references":
+        files = sorted((ROOT / "tests" / "cases").rglob("test_*.py"))
+        own = [path for path in files if "reference_solutions.checks" in path.read_text()]
+        return ["tests/references", *(path.relative_to(ROOT).as_posix() for path in own)]
     paths = sorted(path for path in (ROOT / "tests").iterdir() if path.is_dir())
     return [f"tests/{path.name}" for path in paths if path.name not in APART]
 

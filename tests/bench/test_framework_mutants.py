@@ -70,7 +70,10 @@ def test_a_mutant_that_is_known_as_equivalent_is_there_with_a_reason_and_is_not_
 def test_references_are_a_part_of_their_own_that_their_tests_are_asked_of() -> None:
     found = uniform("*", 50, 1, "references")
     assert {one.file.partition("/")[0] for one in found} == {"reference_solutions"}
-    assert folders("references") == ["tests/references"]
+    references, *of_cases = folders("references")
+    assert references == "tests/references"
+    assert "tests/cases/stability/test_chain.py" in of_cases  # the only test of its second route
+    assert "tests/cases/test_levels.py" not in of_cases
     assert not {"tests/references", "tests/engines"} & {*folders("framework")}
     assert "tests/gate" in folders("framework")
 
