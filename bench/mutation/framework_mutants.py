@@ -8,7 +8,7 @@ of all mutants, with a confidence interval. `--part references` mutates the refe
 runs the tests of references, and those of cases that compare one with its second route. For a
 mutant the tests that run its line are run, those of its own folder first, then the fastest, until
 one fails that passes without it; then the other tests of their files. For a mutant in code that
-runs at import, or that no test runs, the tests that run any line of the file are run.
+runs at import, or that no test runs, the tests that run any line of the file come first.
 `equivalent.txt` names mutants that behave like the original; they do not count.
 """
 
@@ -57,10 +57,10 @@ class Asked:
         return {one for line in mutant.lines for one in here.get(line, ())}
 
     def tests(self, mutant: Mutant) -> list[str]:
-        """The tests that run its statement, then others of their files; or all for its file."""
+        """The tests that run its statement, or any of its file, then others of their files."""
         here, running = self.lines.get(mutant.file, {}), self._running(mutant)
         if not self.when_called(mutant):
-            return self._first(mutant, {one for tests in here.values() for one in tests})
+            running = {one for tests in here.values() for one in tests}
         files = {one.partition("::")[0] for one in running}
         beside = {one for one in self.seconds if one.partition("::")[0] in files}
         return self._first(mutant, running) + self._first(mutant, beside - running)

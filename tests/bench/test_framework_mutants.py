@@ -91,7 +91,9 @@ def test_a_mutant_is_put_to_the_tests_that_run_its_line_those_of_its_folder_firs
 
 
 def test_a_mutant_that_no_test_runs_is_put_to_those_of_its_file() -> None:
-    assert asked(named("one.error / one.tolerance"), other={f"{OWN}::a": 1.0}) == [f"{OWN}::a"]
+    one, constant = named("one.error / one.tolerance"), f"{OWN}::reads_a_constant_alone"
+    assert asked(one, other={f"{OWN}::a": 1.0}) == [f"{OWN}::a"]
+    assert asked(one, other={f"{OWN}::a": 1.0}, none={constant: 0.1}) == [f"{OWN}::a", constant]
 
 
 def test_what_runs_on_import_is_told_from_what_runs_when_called() -> None:

@@ -22,7 +22,9 @@ def test_the_hole_is_as_large_as_points_that_no_grain_covers(clear: float) -> No
     free = 0.02**2 * np.count_nonzero(inside & (near > 0.5))
     assert 0.25 * math.pi * hopper.across(clear) ** 2 == pytest.approx(free, rel=4e-3)
     assert clear < hopper.across(clear) < clear + 1.0
-    assert 2.0 * ring * math.sin(math.pi / many) >= 1.0, "grains side by side do not overlap"
+    assert ring == pytest.approx(0.5 * clear + 0.5, rel=1e-12), "grains leave the opening clear"
+    apart = 2.0 * ring * math.sin(math.pi / many)
+    assert apart >= 1.02 > 2.0 * ring * math.sin(math.pi / (many + 1)), "no more grains find room"
 
 
 def test_a_hole_as_wide_as_its_edge_takes_lets_nothing_through() -> None:
