@@ -96,6 +96,8 @@ FOUND = (
     ("standing:arch-thin", "dda/default", Knobs(1.25e-3, 1e10), "sunk", 0.17, 0.2),
     ("standing:arch-thin", "dda/default", Knobs(1.25e-3, 1e11), "sunk", 0.04, 0.05),
     ("standing:arch-thin", "dda/lagged", Knobs(2.5e-3, 1e9), "sunk", 1.9, 2.2),  # three times
+    ("masonry:slides", "dda/default", Knobs(1e-3, 1e10), "highest", 3.2e-3, 3.4e-3),
+    ("masonry:slides", "dda/default", Knobs(5e-4, 1e10), "highest", 3.2e-3, 3.4e-3),
     ("wedge:xi-1e-06", "rigid/default", Knobs(1e-2), "s", 0.0, 7e-7),
     ("wedge:sphere", "dem/default", None, "s", 0.0, 1.1e-5),
     ("shaken-fast:20hz", "dem/default", Knobs(2.5e-4, 1e8), "d2x", 8.0, 10.0),  # nine times

@@ -80,7 +80,8 @@ DEFAULT = Formulation(
 )
 """Friction iterated to convergence within the open-close iteration, mean shaking.
 
-A step is divided where the slide of a single block stops.
+A step is divided where the slide of a block stops that is alone, or with others that can neither
+rotate nor deform: where blocks rock on their points, contacts stop in most steps.
 """
 
 PUBLISHED = Formulation(

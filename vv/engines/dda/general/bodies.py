@@ -61,6 +61,15 @@ class Motion(NamedTuple):
 
 
 @lent
+def only_shifts(bodies: Bodies) -> bool:
+    """Whether no block can rotate or deform."""
+    shifts = True
+    for a in range(len(bodies.line)):
+        shifts = shifts and dot(at(bodies.line, a), at(bodies.line, a)) > 0.0
+    return shifts
+
+
+@lent
 def copy_rows(to: Vector, source: Vector) -> None:
     """Copy a (k, 3) array to another; numba would take seconds to compile slices."""
     for k in range(len(to)):

@@ -11,7 +11,7 @@ from vv.engines.dda.general.augmented.multipliers import (
     energy_of_fall,
     iterate_multipliers,
 )
-from vv.engines.dda.general.augmented.reversal import only_shifts, turn_slide
+from vv.engines.dda.general.augmented.reversal import turn_slide
 from vv.engines.dda.general.bodies import (
     Bodies,
     Motion,
@@ -20,6 +20,7 @@ from vv.engines.dda.general.bodies import (
     copy_rows,
     displace,
     fill_masses,
+    only_shifts,
     times_blocks,
 )
 from vv.engines.dda.general.contact import Touch, close_initial, contact_arrays, find_contacts
@@ -152,8 +153,9 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     # for generalised alpha, the first step must end with the acceleration at its end
     shaken_at = shaking_at if rule[1] == 0.0 else 1.0
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
-    locates = len(bodies.mass) == 1 and multipliers == 0 and rule[1] == 0.0 and tolerance < np.inf
-    turns_back = multipliers > 0 and ks > 0.0 and only_shifts(bodies)
+    alone, shifts = len(bodies.mass) == 1, only_shifts(bodies)
+    locates = (alone or shifts) and multipliers == 0 and rule[1] == 0.0 and tolerance < np.inf
+    turns_back = alone and shifts and multipliers > 0 and ks > 0.0
     ledger, worst, done = zero_numbers(TERMS), zero_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
     if multipliers > 0:  # no energy in springs: allow for rounding

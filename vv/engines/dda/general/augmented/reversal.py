@@ -21,15 +21,6 @@ from vv.scene import Vector
 
 
 @lent
-def only_shifts(bodies: Bodies) -> bool:
-    """Whether there is one block, which can neither rotate nor deform."""
-    for a in range(len(bodies.line)):
-        if not dot(at(bodies.line, a), at(bodies.line, a)) > 0.0:
-            return False
-    return len(bodies.mass) == 1
-
-
-@lent
 def share_of(along: Triple, bodies: Bodies) -> float:
     """The squared length of the part of a unit vector that lies in the free directions."""
     total = 0.0
