@@ -191,7 +191,7 @@ def main() -> None:
             for layer, n in sorted(layers.items())
         },
     }
-    conclude("framework_mutants", figures, {"5 % at most": figures["rate"] <= 0.05})
+    conclude(f"{options.part}_mutants", figures, {"5 % at most": figures["rate"] <= 0.05})
 
 
 if __name__ == "__main__":
