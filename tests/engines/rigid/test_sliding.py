@@ -157,7 +157,7 @@ def test_a_point_mass_moves_as_the_general_model_does_and_costs_less(scene: Scen
         assert np.diff(program.energies[:, 1]).min() >= -1e-12 * run.ledger.peak
 
 
-@pytest.mark.parametrize("part", [1e-3, 1e-6])
+@pytest.mark.parametrize("part", [1e-3, 1e-6, 1e-9])
 @pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 def test_weak_fields_make_the_same_motion_so_many_times_as_small(scene: Scene, part: float) -> None:
     strong, weak = (
@@ -175,7 +175,7 @@ def responding_in_a_plane(t: Vector) -> Vector:
     return np.pad(d, ((0, 0), (0, 1)))
 
 
-@pytest.mark.parametrize("part", [1.0, 1e-3, 1e-6])
+@pytest.mark.parametrize("part", [1.0, 1e-3, 1e-6, 1e-9, 1e-12])
 @pytest.mark.parametrize(
     ("name", "exact"), [("sine", sliding_down), ("plane", responding_in_a_plane)]
 )

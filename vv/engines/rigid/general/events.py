@@ -41,6 +41,8 @@ def move(setting: Setting, state: State, trial: Trial, span: float) -> None:
         v, w = at(trial.v, i), at(trial.w, i)
         put(state.centre, i, add_scaled(add_scaled(at(state.centre, i), 0.5 * span, at(state.v, i)),
                                   0.5 * span, v))  # fmt: skip
+        both = add_scaled(at(state.v, i), 1.0, v)
+        put(state.moved, i, add_scaled(at(state.moved, i), 0.5 * span, both))
         angle = add_scaled(add_scaled(ZERO, 0.5 * span, at(state.w, i)), 0.5 * span, w)
         if dot(angle, angle) > 0.0:
             turn_by(angle, same_rows(state.rotation[i], 3), state.rotation[i])

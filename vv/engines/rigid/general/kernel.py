@@ -84,6 +84,7 @@ def remove_penetration(
         push_out(trial.joints, trial.bodies, gap, x, turn, PUSHES)
         for i in range(n):
             put(state.centre, i, add_scaled(at(state.centre, i), 1.0, at(x, i)))
+            put(state.moved, i, add_scaled(at(state.moved, i), 1.0, at(x, i)))
             if dot(at(turn, i), at(turn, i)) > 0.0:
                 turn_by(at(turn, i), same_rows(state.rotation[i], 3), state.rotation[i])
             account[DRIVEN] += dot(at(setting.force, i), at(x, i))
@@ -123,15 +124,12 @@ def fill_reaction(row: Vector, force: Vector, impulses: Vector) -> None:
 
 
 @lent
-def fill_path(path: Vector, watched: Index, state: State, centre: Vector) -> None:
-    """Fill path (b, 9) with displacement, velocity and spin of the watched blocks.
-
-    centre: (n, 3) at t = 0 [m].
-    """
+def fill_path(path: Vector, watched: Index, state: State) -> None:
+    """Fill path (b, 9) with displacement, velocity and spin of the watched blocks."""
     for k in range(len(watched)):
         i = watched[k]
         for c in range(3):
-            path[k, c] = state.centre[i, c] - centre[i, c]
+            path[k, c] = state.moved[i, c]
             path[k, 3 + c] = state.v[i, c]
             path[k, 6 + c] = state.w[i, c]
 
@@ -163,7 +161,8 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     rotation = zero_squares(n)
     for i in range(n):
         rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
-    state = State(same_rows(centre, n), rotation, same_rows(v, n), same_rows(w, n))
+    here = same_rows(centre, n)
+    state = State(here, zero_rows(n), rotation, same_rows(v, n), same_rows(w, n))
     account, contacts = zero_numbers(7), empty_contacts(64 + 0 * n)
     past = no_past(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
@@ -212,8 +211,9 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     span = time_to_slip_start(setting, state, past, now, whole, dt, contacts, trial)
                 if span < whole:
                     trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
+                from_here = same_rows(state.centre, n)
                 before = State(
-                    same_rows(state.centre, n), state.rotation, state.v, same_rows(state.w, n)
+                    from_here, state.moved, state.rotation, state.v, same_rows(state.w, n)
                 )
                 add_works(account, setting, state, trial, now, span, impact)
                 move(setting, state, trial, span)
@@ -239,7 +239,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 fill_reaction(reaction[0], pressed, zero_rows(len(impulses)))
         if row > 0:
             fill_reaction(reaction[row], pressed, impulses)
-        fill_path(path[row], watched, state, centre)
+        fill_path(path[row], watched, state)
         energy[row, 0] = total = kinetic(setting, state)
         for c in range(len(account)):
             energy[row, 1 + c] = account[c]

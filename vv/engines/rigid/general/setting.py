@@ -59,9 +59,14 @@ class Setting(NamedTuple):
 
 @bundle
 class State(NamedTuple):
-    """The state of n blocks: centre (n, 3) [m], rotation (n, 3, 3), v and w (n, 3) [m/s, 1/s]."""
+    """The state of n blocks: centre (n, 3) [m], rotation (n, 3, 3), v and w (n, 3) [m/s, 1/s].
+
+    moved: (n, 3) displacements [m]. In weak fields they are so small that differences of centres
+    would be mostly rounding.
+    """
 
     centre: Vector
+    moved: Vector
     rotation: Vector
     v: Vector
     w: Vector
@@ -90,7 +95,8 @@ def copy_of(state: State) -> State:
         for j in range(3):
             for k in range(3):
                 rotation[i, j, k] = state.rotation[i, j, k]
-    return State(same_rows(state.centre, n), rotation, same_rows(state.v, n), same_rows(state.w, n))
+    centre, moved = same_rows(state.centre, n), same_rows(state.moved, n)
+    return State(centre, moved, rotation, same_rows(state.v, n), same_rows(state.w, n))
 
 
 @called
