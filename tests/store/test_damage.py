@@ -48,7 +48,7 @@ def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> No
     assert store.manifests.records_of("01", "b") == (records[0],)
     with pytest.raises(OSError, match="its content is not what was stored: the digest differs"):
         store.manifests.read("01")
-    with pytest.raises(OSError, match="the records of a is not what was stored"):
+    with pytest.raises(OSError, match="the list of records of a is not what was stored"):
         store.manifests.records_of("01", "a")
     path.write_text('{"provenance": {}, "records": []}')
     for read in (store.manifests.read, store.manifests.head):
@@ -61,7 +61,7 @@ def test_a_case_whose_records_are_lost_is_damaged_and_not_without_any(tmp_path: 
     store.manifests.keep(manifest(*jobs("b", "a"), name="01"))
     kept = [line for line in path.read_text().splitlines(True) if not line.startswith('"a": ')]
     path.write_text("".join(kept))
-    with pytest.raises(OSError, match="the records of a is not what was stored"):
+    with pytest.raises(OSError, match="the list of records of a is not what was stored"):
         store.manifests.records_of("01", "a")
 
 
@@ -81,7 +81,7 @@ def test_what_is_damaged_is_passed_over_with_a_word(tmp_path: Path) -> None:
     assert len(said) == 1  # another run of the same commit was whole, and came first
     path.with_name("02.json").unlink()
     assert history(store, "a", said.append) == []
-    assert "the records of a" in said[1]
+    assert "the list of records of a" in said[1]
     assert store.manifests.latest() is None
 
 

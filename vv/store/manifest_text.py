@@ -124,7 +124,7 @@ def _head(line: str, name: str) -> codec.Json:
 def _check(head: codec.Json, part: str, text: str, name: str) -> None:
     """Raise BrokenSealError unless a part has the digest that its seal states."""
     if head["seals"].get(part) != seal_of(name, text.encode()):
-        what = f"the records of {part}" if part else "its content"
+        what = f"the list of records of {part}" if part else "its content"
         raise BrokenSealError(f"{what} is not what was stored: the digest differs")
 
 
