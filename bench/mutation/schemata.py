@@ -16,7 +16,10 @@ from vv.base.closure import source_digest
 from vv.base.files import write_whole
 
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
-KERNEL = ("compiled", "called", "inlined", "shared")
+KERNEL = (
+    "compiled", "compiled_to_branch", "compiled_to_join", "called", "lent", "inlined",
+    "inlined_called", "shared",
+)  # fmt: skip
 PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "at", "cross",
         "add_scaled")  # fmt: skip
 SWITCHES = ("switch", "switch_compiled")  # files beside this one that the copy has in vv/

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ast
+import inspect
 
 import pytest
 
 from bench.mutation.mutants import COMPILED, ROOT, kernels, mechanical, parsed
+from bench.mutation.schemata import KERNEL
 from bench.mutation.seeded_bugs import KINDS, changed
+from vv.engines.kernels import compiled as compiling
 
 PLAIN = {  # nothing to turn: they only call others
     "vv/engines/kernels/triples.py", "vv/engines/dem/space/forces.py",
@@ -34,6 +37,13 @@ def test_a_mutant_differs_from_its_file_and_is_still_a_program() -> None:
         assert ast.unparse(ast.parse(mutant.text())) != ast.unparse(parsed(mutant.file)), (
             mutant.what
         )
+
+
+def test_choices_in_kernels_of_every_kind_are_made_as_in_kernels() -> None:
+    """Elsewhere a whole number could become another kind of number, and would not compile."""
+    made = {"function": "Kernel", "return": "Kernel"}
+    kinds = inspect.getmembers(compiling, inspect.isfunction)
+    assert {name for name, one in kinds if one.__annotations__ == made} == set(KERNEL)
 
 
 @pytest.mark.parametrize("kind", KINDS)

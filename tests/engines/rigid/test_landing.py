@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import numba
 import numpy as np
 import pytest
 
@@ -13,6 +16,8 @@ from tests.scenes.blocks.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN
 from vv.ask import Ask, Knobs
 from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks
+from vv.engines.rigid.point.model import point
+from vv.engines.rigid.point.trial import Ground, landing_time
 from vv.scene import Contact, Harmonic, Mask, Scene, Wall
 
 HALF, LEAN = np.array([0.5, 0.5, 2.5]), 1.2  # m; of the angle at which it stands on an edge
@@ -79,6 +84,29 @@ def test_a_block_lands_on_a_base_that_heaves_where_they_meet() -> None:
     errors = [dropped(step) for step in (0.02, 0.01, 0.005)]
     assert errors[0] <= 1e-4
     assert np.log2(errors[0] / errors[2]) / 2 == pytest.approx(3.0, abs=0.1)
+
+
+def meeting(ground: Ground, speed: float, whole: float) -> float:
+    return landing_time(ground, (0.0, 0.0, 0.0), (0.0, 0.0, -speed), 0.0, whole)
+
+
+@pytest.mark.parametrize("second", [1.0, 1e-4], ids=["in seconds", "in units of 0.1 ms"])
+@pytest.mark.parametrize("whole", [0.02, 0.03, 0.05])
+def test_a_mass_lands_where_its_path_meets_a_base_that_heaves_fast(
+    whole: float, second: float
+) -> None:
+    """The base turns within the fall, so that a parabola through the whole step misses it."""
+    up, omega, size, height = np.array([0.0, 0.0, 1.0]), 200.0, 2e-4, 0.012
+    frequency = np.full(3, omega / second / (2 * np.pi))
+    base = Wall(np.zeros(3), up, Harmonic(size * up, frequency))
+    block = box("falls", [0, 0, 0.5 + height], [0.5] * 3, free_spin=HELD)
+    model = point(Scene((base, block), Contact(np.inf), gravity=DOWN / second**2))
+    assert model is not None
+    kernel: Any = numba.njit(meeting)
+    _, ground = model.arguments(whole * second)
+    t = kernel(ground, 1.0 / second, whole * second) / second
+    left = height - t - G * t**2 / 2 - size * np.sin(omega * t)
+    assert abs(left) <= 1e-10 * height
 
 
 def jammed(mu: float, step: float) -> float:

@@ -107,3 +107,10 @@ def test_a_contact_that_nothing_can_push_is_in_no_batch() -> None:
     assert (place[:4] == -1).all()
     assert (place[4:] >= 0).all()
     assert not p[:4].any()
+
+
+def test_where_no_contact_can_push_there_is_no_batch() -> None:
+    joints, bodies, *_ = pile(3, 0.5)
+    locked = joints._replace(across=np.zeros(12))
+    seat, depth = seats(locked, bodies)
+    assert (len(seat), len(depth)) == (0, 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numba
 import numpy as np
@@ -10,6 +10,7 @@ import pytest
 
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import zero_rows
+from vv.engines.rigid.general.energy import arm_covariance
 from vv.engines.rigid.general.lever_arms import halfway
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.cone import Friction, residual, sweep
@@ -141,3 +142,35 @@ def test_at_mid_step_arms_are_means_and_normals_are_turned_back_by_half() -> Non
     assert not turned[1:].any()
     assert (normal[1:] == joints.normal[1:]).all()
     assert (one[1:] == joints.arm_first[1:]).all()
+
+
+class Arms(NamedTuple):
+    """Of a trial only its joints: at the end of the step, and at mid-step."""
+
+    joints: Joints
+    middle: Joints
+
+
+def _covariance(arms: Any, gained: Vector) -> Any:
+    return arm_covariance(arms, 4, gained)
+
+
+def test_the_mean_of_spin_times_arm_is_more_than_the_product_of_means_by_both_bodies() -> None:
+    """Contact 4 is between two cubes; a mean is that of the values at both ends of the step."""
+    (ends, *_), (begins, *_) = pile(2, 0.5), pile(2, 0.5)
+    ends.arm_first[4] += [0.3, -0.1, 0.1]
+    ends.arm_second[4] += [0.0, 0.2, -0.5]
+    middle = ends._replace(
+        arm_first=0.5 * (ends.arm_first + begins.arm_first),
+        arm_second=0.5 * (ends.arm_second + begins.arm_second),
+    )
+    spins = np.array([[[1.0, 2.0, -1.0], [0.5, -3.0, 0.0]], [[2.0, 0.0, 3.0], [-1.0, 1.0, 4.0]]])
+    moves = [
+        np.cross(w[1], joints.arm_second[4]) - np.cross(w[0], joints.arm_first[4])
+        for w, joints in zip(spins, (begins, ends), strict=True)
+    ]
+    w = spins.mean(axis=0)
+    product = np.cross(w[1], middle.arm_second[4]) - np.cross(w[0], middle.arm_first[4])
+    kernel: Any = numba.njit(_covariance)
+    found = kernel(Arms(ends, middle), 0.5 * (spins[1] - spins[0]))
+    assert found == pytest.approx(np.mean(moves, axis=0) - product)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +16,9 @@ from tests.scenes.blocks.block_scenes import FREE, HELD, incline, responding, sl
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks
+from vv.engines.rigid.general import events
 from vv.engines.rigid.general.model import Space
+from vv.engines.rigid.limits import CLOSE
 from vv.engines.rigid.point.model import Point
 from vv.scene import Block, Harmonic, Scene, Vector, Wall
 
@@ -206,3 +210,32 @@ def test_a_block_that_may_turn_slides_as_one_that_may_not() -> None:
     runs = [rigid.solve(ask(s, 2e-3, 1.0)) for s in (scene, loosened(scene))]
     apart = np.abs(moved(runs[0]) - moved(runs[1])).max()
     assert apart <= 1e-7  # where slip begins is found to 1/256 of a step; dt itself costs 2e-6
+
+
+@pytest.mark.parametrize("ends", [0.13, 0.3, 0.8, 0.98])
+@pytest.mark.parametrize("dt", [1e-4, 1e-2])
+def test_where_a_slip_that_slows_evenly_ends_is_found_in_few_trials(
+    monkeypatch: pytest.MonkeyPatch, dt: float, ends: float
+) -> None:
+    """Halving alone would take 28; guesses by the deceleration take at most half as many."""
+    tried: list[float] = []
+
+    def attempt(*given: Any) -> Any:
+        tried.append(given[3] / dt)
+        speed = np.full((1, 3), ends - tried[-1])
+        return SimpleNamespace(v=speed, w=None, ended=speed <= 0.0, gaps=SimpleNamespace(slack=0))
+
+    replaced = {
+        "attempt": attempt,
+        "marked": np.any,
+        "rates": lambda *_: None,
+        "zero_rows": lambda rows: np.full((rows, 3), ends),
+        "slowest_slip": lambda trial, v, w: v[0, 0],
+        "least_impact_speed": lambda *_: np.inf,
+    }
+    for name, one in replaced.items():
+        monkeypatch.setattr(events, name, one)
+    search: Any = events.time_to_slip_end
+    low = search.py_func(None, None, None, 0.0, dt, dt, None, attempt(0, 0, 0, dt)) / dt
+    assert 0.0 <= ends - low <= CLOSE
+    assert len(tried) <= 14

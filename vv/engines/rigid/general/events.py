@@ -59,19 +59,19 @@ def time_to_slip_end(
     """The time [s] from `now` during which all slip continues, in the step of length `whole` [s].
 
     trial: that of the whole step. The time is zero if a slip ends at once, which is then marked in
-    past.still, and -1 if it ends at once from a finite speed: the contact jams, which needs an
-    impact. The end is bracketed; guesses follow from the deceleration of the slowest slip.
+    past.still, and -infinity if it ends at once from a finite speed: the contact jams, which needs
+    an impact. The end is bracketed; guesses follow from the deceleration of the slowest slip.
     """
     v, w = zero_rows(len(trial.v)), zero_rows(len(trial.v))
     rates(setting, state, now, v, w)
-    low, high, late, speed, guess = 0.0, whole, trial, slowest_slip(trial, v, w), -1.0
+    low, high, late, speed, guess = 0.0, whole, trial, slowest_slip(trial, v, w), whole
     if speed > least_impact_speed(setting, dt):
         brief = CLOSE * dt
         jam = attempt(
             setting, state, now, brief, contacts, past_with_impulses(trial, brief), trial.gaps.slack
         )
         if marked(jam.ended):
-            return -1.0
+            return -np.inf
     for look in range(ENDS):
         if high - low <= CLOSE * dt:
             break

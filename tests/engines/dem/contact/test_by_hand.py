@@ -1,0 +1,90 @@
+"""Claims about single kernels of contacts in DEM, which have truths by hand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from vv.engines.dem.contact.friction import slip_direction
+from vv.engines.dem.contact.linear import friction_limits
+from vv.engines.dem.contact.micro_slip import FIRST, ROOM, SPRINGS, MicroSlip, spring_spacing
+from vv.engines.dem.contact.touch import Touch
+from vv.engines.kernels.compiled import compiled
+from vv.engines.kernels.triples import NOWHERE, Triple
+from vv.scene import Vector
+
+UP = (0.0, 0.0, 1.0)
+KN, MU, ETA = 1e5, 0.3, 200.0  # N/m, N s/m
+
+
+def touching(overlap: float, opened: float, rates: tuple[float, float]) -> Touch:
+    return Touch(overlap, opened, UP, UP, UP, rates, NOWHERE, NOWHERE, 0.0)
+
+
+@compiled
+def limits(touch: Touch, eta: float | None, spring: Triple) -> tuple[float, float]:
+    return friction_limits(KN, MU, eta, touch, spring)
+
+
+def test_friction_is_limited_by_springs_and_dashpots_together() -> None:
+    """The gap closes at 0.5 and then at 0.4 m/s: a dashpot presses by 100 N, then by 80 N."""
+    touch = touching(2e-3, -1e-3, (-0.5, -0.4))
+    assert limits(touch, ETA, NOWHERE) == pytest.approx((MU * 200.0, MU * 280.0))
+    assert limits(touch, None, NOWHERE) == pytest.approx((MU * 100.0, MU * 200.0))
+
+
+def test_friction_before_a_step_is_at_least_what_there_is_and_after_it_nothing_pulls() -> None:
+    touch = touching(1e-3, 1e-3, (1.5, 1.0))
+    assert limits(touch, ETA, (3.0, 4.0, 0.0)) == pytest.approx((5.0, 0.0))
+
+
+@compiled
+def aimed(old: Triple, slide: Triple, change: Triple, x: float) -> Triple:
+    trial = (old[0] - slide[0], old[1] - slide[1], old[2] - slide[2])
+    return slip_direction(old, trial, slide, change, (5.0, 5.0), x, math.exp(-x))
+
+
+@pytest.mark.parametrize("x", [0.1, 0.5, 4.0])
+def test_slip_that_grows_turns_friction_as_steady_slip_does(x: float) -> None:
+    """Of the change of the slide only what is across it counts."""
+    old, slide, across = (3.0, 4.0, 0.0), np.array([-0.1, -0.3, 0.0]), np.array([0.06, -0.02, 0.0])
+    steady = aimed(old, tuple(slide), tuple(across), x)
+    assert aimed(old, tuple(slide), tuple(across + 0.4 * slide), x) == pytest.approx(steady)
+    assert aimed(old, tuple(slide), tuple(0.4 * slide), x) != pytest.approx(steady, rel=1e-5)
+
+
+@compiled
+def spaced(law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector) -> float:
+    return spring_spacing(law, touch, radius, mass, kept, 0)
+
+
+def test_springs_of_a_new_contact_reach_to_where_its_speed_can_press_it() -> None:
+    """There, 8/15 E* sqrt(R) (U^5/2 - U0^5/2) is the energy m v^2/2; none is stretched yet."""
+    modulus, radius, mass, overlap, speed = 1e9, 0.05, 0.3, 1e-6, 2.0
+    law, touch = (
+        MicroSlip(modulus, (1e9, MU), None, (0.0, 0.0)),
+        touching(overlap, 0.0, (0, -speed)),
+    )
+    kept = np.zeros((1, law.columns))
+    kept[0, FIRST:] = 1.0
+    apart = spaced(law, touch, radius, mass, kept)
+    pressed = 0.5 * mass * speed**2 / (8 / 15 * modulus * math.sqrt(radius))
+    deepest = (overlap**2.5 + pressed) ** 0.4
+    assert apart * (SPRINGS - 1) == pytest.approx(ROOM * math.sqrt(deepest))
+    assert not kept[0, FIRST:].any()
+
+
+@pytest.mark.parametrize(("reach", "times"), [(511.5, 1), (512.5, 2), (513.5, 2), (1025.0, 4)])
+def test_springs_of_a_contact_that_outgrows_them_are_spread(reach: float, times: int) -> None:
+    """The last of 513 springs is 512 spacings away; where all move apart, each second is kept."""
+    apart, law = 1e-4, MicroSlip(1e9, (1e9, MU), None, (0.0, 0.0))
+    kept = np.zeros((1, law.columns))
+    kept[0, :FIRST] = 1.0, 0.0, 0.0, apart
+    kept[0, FIRST::3] = np.arange(1.0, SPRINGS + 1.0)
+    touch = touching((reach * apart) ** 2, 0.0, (0.0, 0.0))
+    assert spaced(law, touch, 0.05, 0.3, kept) == pytest.approx(times * apart)
+    stayed = np.arange(1.0, SPRINGS + 1.0, times)
+    assert (kept[0, FIRST::3][: len(stayed)] == stayed).all()
+    assert not kept[0, FIRST::3][len(stayed) :].any()
