@@ -69,17 +69,18 @@ def test_of_the_scenes_of_a_case_each_is_drawn_once_and_no_more_than_four(
     scenes = [1, 1, 2, None, 3, 4, 5]
     trials = {("fall", f"v{i}"): _trial(one) for i, one in enumerate(scenes)}
     plan = SimpleNamespace(trials=trials)
-    case = SimpleNamespace(name="fall", variants=[SimpleNamespace(level=Level.QUICK)])
+    case = SimpleNamespace(name="fall", variants=[SimpleNamespace(name="v0", level=Level.QUICK)])
     project: Any = SimpleNamespace(load_case=lambda name: case, family=lambda name: "family")
     shown: dict[str, str] = {}
 
-    def page(case: object, family: str, facts: object, drawn: dict[str, str], _: object) -> Any:
+    def page(case: object, family: str, facts: object, drawn: dict[str, str], *_: object) -> Any:
         shown.update(drawn)
         return SimpleNamespace(text=lambda: "the page")
 
     monkeypatch.setattr("vv.plan.planning.make_plan", lambda *_: plan)
     monkeypatch.setattr("vv.run.case_facts.case_facts", lambda *_: None)
     monkeypatch.setattr("vv.output.gallery.case_page.CasePage", page)
+    monkeypatch.setattr("vv.output.gallery.declared_numbers.numbers", lambda *_: {})
     monkeypatch.setattr("vv.cli.docs_command._drawing", lambda one: f"<svg {one}>" if one else "")
     monkeypatch.setattr("vv.cli.docs_command._answers", lambda *_: {})
     files = case_pages(project, ["fall"])

@@ -1,7 +1,8 @@
-"""Claims about a case's page in the gallery: which schemes run a variant, and why others not."""
+"""Claims about the page of a case: schemes that run a variant, why others do not, numbers."""
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -15,7 +16,7 @@ def said(**answers: int | str) -> list[str]:
     """The lines on schemes of variant T1; names: CODE__SCHEME."""
     nothing: Any = None
     rows = {name.replace("__", "/"): {"T1": answer, "T2": 1} for name, answer in answers.items()}
-    page = CasePage(nothing, "family", nothing, {}, {**rows, "late/default": {"T2": 1}})
+    page = CasePage(nothing, "family", nothing, {}, {**rows, "late/default": {"T2": 1}}, {})
     return [line for line in page._schemes(["T1", "T2"]) if line]
 
 
@@ -41,3 +42,14 @@ def test_schemes_that_run_a_variant_stand_before_those_that_do_not_with_the_reas
     answers: dict[str, int | str], lines: list[str]
 ) -> None:
     assert said(**answers) == lines
+
+
+def test_variants_after_the_first_show_the_numbers_in_which_they_differ_from_it() -> None:
+    one: Any = SimpleNamespace(name="fall")
+    own = {"T1": {"g": "9.81", "mu": "0.5"}, "T2": {"g": "9.81", "m": "2"}}
+    lines = [*CasePage(one, "family", one, {}, {}, own)._numbers()]
+    blocks = "\n".join(lines).split("```\n")
+    assert "`T1`:" in blocks[0]
+    assert blocks[1] == "g: 9.81\nmu: 0.5\n"
+    assert "`T2`:" in blocks[2]
+    assert blocks[3].splitlines() == ["m: 2", "mu: none", "```"]

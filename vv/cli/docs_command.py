@@ -80,6 +80,7 @@ def case_pages(project: Project, names: Sequence[str]) -> Files:
 
 def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
     from vv.output.gallery.case_page import CasePage
+    from vv.output.gallery.declared_numbers import numbers
     from vv.plan.plan import Options
     from vv.plan.planning import make_plan
     from vv.run.case_facts import case_facts
@@ -95,7 +96,12 @@ def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
             scenes[text] = f"{name}-{variant}.svg"
             drawn[variant] = scenes[text]
     page = CasePage(
-        case, project.family(name), case_facts(case, plan), drawn, _answers(project, case)
+        case,
+        project.family(name),
+        case_facts(case, plan),
+        drawn,
+        _answers(project, case),
+        {variant.name: numbers(case, variant) for variant in case.variants},
     )
     yield Path("cases", f"{name}.md"), page.text()
     for text, file in scenes.items():

@@ -1,4 +1,4 @@
-"""The page of a case: drawings of its scenes, source, variants, formulas, tolerances, schemes."""
+"""The page of a case: drawings, source, variants, formulas, tolerances, schemes, all numbers."""
 
 from __future__ import annotations
 
@@ -6,10 +6,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from vv.case import Case
+from vv.output.gallery.declared_numbers import Lines, differing
 from vv.output.gallery.markup import cell, code, listed_codes, table
 from vv.records.case_facts import CaseFacts, QuantityFacts, VariantFacts
 
 Answers = Mapping[str, Mapping[str, int | str]]  # scheme -> variant -> unknowns, or why not
+NUMBERS = (
+    "What the first variant declares, and what differs from it in the others: settings at each "
+    "level, bounds, exact answers (of a history at the start, half-way and at the end) and the "
+    "scene, in SI units. Of more than six numbers the range and the means are given. What is zero, "
+    "or has its usual value, is left out."
+)
 
 
 @dataclass(frozen=True)
@@ -17,7 +24,8 @@ class CasePage:
     """The data of a page.
 
     facts: of the variants that are described in full. drawings: variant -> file of its drawing,
-    beside the page. answers: which schemes run it, as accepted with its results.
+    beside the page. answers: which schemes run it, as accepted with its results. numbers: variant
+    -> all numbers that it declares.
     """
 
     case: Case
@@ -25,10 +33,13 @@ class CasePage:
     facts: CaseFacts
     drawings: Mapping[str, str]
     answers: Answers
+    numbers: Mapping[str, Lines]
 
     def text(self) -> str:
         """The page, as Markdown."""
-        return "\n".join([*self._head(), *self._variants(), *self._sections(), ""])
+        return "\n".join(
+            [*self._head(), *self._variants(), *self._sections(), *self._numbers(), ""]
+        )
 
     def _head(self) -> Iterator[str]:
         case, source = self.case, self.case.source
@@ -61,6 +72,17 @@ class CasePage:
             for quantity in first.quantities:
                 yield from _judged(quantity)
             yield from self._schemes(names)
+
+    def _numbers(self) -> Iterator[str]:
+        first: Lines = {}
+        if self.numbers:
+            yield from ("", "## Numbers", "", NUMBERS)
+        for name, lines in self.numbers.items():
+            shown = differing(lines, first) if first else lines
+            first = first or lines
+            yield from ("", f"{code(name)}:", "", "```")
+            yield from (f"{what}: {text}" for what, text in shown.items())
+            yield "```"
 
     def _parameters(self, name: str, facts: VariantFacts) -> Iterator[str]:
         values = self.case.defaults(name)
