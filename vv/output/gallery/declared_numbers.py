@@ -59,7 +59,7 @@ def _settings(knobs: Iterable[Knobs]) -> str:
 
 def _of_quantity(quantity: Quantity, trial: Trial) -> Iterator[tuple[str, str]]:
     """The bounds of a quantity's judge, what its errors are relative to, and its exact answer."""
-    name, answer = quantity.name, quantity.reference
+    name = quantity.name
     yield from fields(quantity.judge, f"{name}, judge")
     bodies = sum(map(len, trial.study.scene.bodies))
     given = {part: getattr(quantity, part, None) for part in SCALES}
@@ -67,12 +67,14 @@ def _of_quantity(quantity: Quantity, trial: Trial) -> Iterator[tuple[str, str]]:
     sizes = {part: abs(evaluated(one)) for part, one in known.items()}
     for part, size in sizes.items():
         yield f"{name}, {part}", listed(np.array([size]), DIGITS)
-    scale = max(sizes.values(), default=0.0)
-    if isinstance(quantity, Series) and quantity.reference:
+    if isinstance(quantity, Series):
         times = trial.study.goal.duration * np.array([0.0, 0.5, 1.0])
-        yield f"{name}, exact", listed(quantity.reference(times), DIGITS, scale)
-    elif not isinstance(quantity, Series) and answer is not None and _is_cheap(answer, bodies):
-        yield f"{name}, exact", listed(np.array([float(evaluated(answer))]), DIGITS, scale)
+        answer = None if quantity.reference is None else quantity.reference(times)
+    else:
+        own = quantity.reference
+        answer = None if own is None or not _is_cheap(own, bodies) else np.array([evaluated(own)])
+    if answer is not None:
+        yield f"{name}, exact", listed(answer, DIGITS, max(sizes.values(), default=0.0))
 
 
 def _is_cheap(number: object, bodies: int) -> bool:
