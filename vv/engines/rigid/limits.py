@@ -100,6 +100,13 @@ sweeps are stuck; it grows tenfold with each round. In large scenes many slips c
 over 18 steps, the soft start met the residual, or found that it could not be reduced, with two
 thirds as many Newton steps."""
 
+ROUNDS, SOFTEST, FIRMEST = 100, 1e-3, 1e4
+"""Most Newton rounds of a step that nothing else solved; and the stiffness of contacts over inertia
+below which they are given up, and above which it does not grow. Three steps of a facade with
+friction of 0.9 took 50 to 65 Newton steps from the impulses of the step before, and 250 to 490 from
+none.
+"""
+
 PUSHES = 30
 """Sweeps that remove penetration from positions; what remains is removed in the next step."""
 

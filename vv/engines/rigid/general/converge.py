@@ -31,6 +31,7 @@ from vv.engines.rigid.solver.cone import Friction, copy_rows, residual, solve_co
 from vv.engines.rigid.solver.drift import leap_sweeps
 from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.engines.rigid.solver.newton import newton_round
+from vv.engines.rigid.solver.rounds import newton_rounds
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -45,7 +46,9 @@ def converged(
 
     v, w: (b, 3) velocities that include the effect of p. Many blocks that form no chain are solved
     by sweeps with leaps. If these do not reach the setting's tolerance, the solution is started
-    again without leaps, and the better one is kept. Returns the number of sweeps and the residual.
+    again without leaps. If that fails, too, Newton rounds are tried, from the same impulses, from
+    none and from the best so far, which is kept otherwise. Returns the number of sweeps and the
+    residual.
     """
     blocks = len(setting.mass)
     if blocks <= SMALL:
@@ -64,11 +67,24 @@ def converged(
     copy_rows(v, start_v)
     copy_rows(w, start_w)
     more, other = solve_in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
-    if other > left:
-        copy_rows(p, best)
-        copy_rows(v, best_v)
-        copy_rows(w, best_w)
-    return sweeps + more, smaller(left, other)
+    if other <= left:
+        left = other
+        copy_rows(best, p)
+        copy_rows(best_v, v)
+        copy_rows(best_w, w)
+    for anew in range(3 if left > setting.tolerance else 0):
+        free_v, free_w = velocities_without(p, joints, bodies, v, w)
+        copy_rows(p, best if anew == 2 else start)
+        if anew == 1:
+            clear(p)
+        recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
+        last = newton_rounds(p, joints, bodies, friction, v, w, setting.tolerance, place)
+        if last <= setting.tolerance:
+            return sweeps + more, last
+    copy_rows(p, best)
+    copy_rows(v, best_v)
+    copy_rows(w, best_w)
+    return sweeps + more, left
 
 
 @called
