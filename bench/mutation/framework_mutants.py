@@ -7,8 +7,9 @@ K` they are drawn from all places with equal probability, so that the surviving 
 of all mutants, with a confidence interval. `--part references` mutates the reference solutions, and
 runs the tests of references, and those of cases that compare one with its second route. For a
 mutant the tests that run its line are run, those of its own folder first, then the fastest, until
-one fails that passes without it; then the other tests of their files. For a mutant in code that
-runs at import, or that no test runs, the tests that run any line of the file come first.
+one fails that passes without it; then the other tests of their files. A mutant in code that runs
+at import, or that none of these detects, is put to the tests that run any line of the file, and to
+the others of their files, with the file imported anew.
 `equivalent.txt` names mutants that behave like the original; they do not count.
 """
 
@@ -47,6 +48,7 @@ class Asked:
         self.project, self.seconds, self.lines = project, seconds, lines
         self.longest = longest
         self._green: dict[str, bool] = {}
+        self._green_on_import: dict[tuple[str, ...], bool] = {}
 
     def when_called(self, mutant: Mutant) -> bool:
         """Whether tests run a mutant inside a function that is not only called at import."""
@@ -57,10 +59,15 @@ class Asked:
         return {one for line in mutant.lines for one in here.get(line, ())}
 
     def tests(self, mutant: Mutant) -> list[str]:
-        """The tests that run its statement, or any of its file, then others of their files."""
-        here, running = self.lines.get(mutant.file, {}), self._running(mutant)
-        if not self.when_called(mutant):
-            running = {one for tests in here.values() for one in tests}
+        """The tests that run its statement, then others of their files."""
+        return self._and_beside(mutant, self._running(mutant))
+
+    def tests_of_file(self, mutant: Mutant) -> list[str]:
+        """The tests that run any line of its file, then others of their files."""
+        here = self.lines.get(mutant.file, {})
+        return self._and_beside(mutant, {one for tests in here.values() for one in tests})
+
+    def _and_beside(self, mutant: Mutant, running: set[str]) -> list[str]:
         files = {one.partition("::")[0] for one in running}
         beside = {one for one in self.seconds if one.partition("::")[0] in files}
         return self._first(mutant, running) + self._first(mutant, beside - running)
@@ -97,14 +104,21 @@ class Asked:
         return self._green[test]
 
     def red_on_import(self, mutant: Mutant) -> str | None:
-        """Whether tests that import the mutated file again detect the mutant."""
-        place = self.project / mutant.file
+        """Whether tests that import the mutated file again detect the mutant, and pass without."""
+        place, tests = self.project / mutant.file, self.tests_of_file(mutant)
         try:
             rewrite(place, mutant.text())
-            red = not passes(self.project, *self.tests(mutant))
+            red = not passes(self.project, *tests)
         finally:
             rewrite(place, (ROOT / mutant.file).read_text())
-        return "when imported" if red else None
+        return "when imported" if red and self._pass_on_import(tests) else None
+
+    def _pass_on_import(self, tests: Sequence[str]) -> bool:
+        """Whether tests pass without a mutant in a process that imports everything anew."""
+        key = tuple(tests)
+        if key not in self._green_on_import:
+            self._green_on_import[key] = passes(self.project, *tests)
+        return self._green_on_import[key]
 
     def _limits(self, tests: Sequence[str]) -> dict[str, float]:
         return {one: SPARE + HANGING * self.seconds[one] for one in tests}
@@ -121,7 +135,8 @@ def seen(
         seconds, lines = told_of(records(collected))
         asked = Asked(project, seconds, lines, longest)
         for one in filter(asked.when_called, mutants):
-            told[one] = _said(one, asked.red_of(collected, one))
+            if by := asked.red_of(collected, one):
+                told[one] = _said(one, by)
         kept = [[one.file, one.place, by] for one, by in told.items()]
         map_of_tests.write_text(json.dumps([seconds, lines, kept]))
 

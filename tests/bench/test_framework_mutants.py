@@ -10,6 +10,7 @@ from typing import Any, cast
 
 import pytest
 
+from bench.mutation import framework_mutants
 from bench.mutation.collected_tests import Collected, forked
 from bench.mutation.covering_tests import Record, digest
 from bench.mutation.engine_mutants import _key
@@ -35,12 +36,17 @@ def named(words: str, file: str = FILE) -> Mutant:
     return found
 
 
-def asked(mutant: Mutant, **of_line: dict[str, float]) -> list[str]:
-    """Tests that a mutant is put to; of_line: seconds of those that run its line or another."""
+def known(mutant: Mutant, **of_line: dict[str, float]) -> Asked:
+    """What a bench knows; of_line: seconds of tests that run a mutant's line or another."""
     own, other = mutant.lines[0], mutant.lines[-1] + 1
     seconds = {**of_line.get("own", {}), **of_line.get("other", {}), **of_line.get("none", {})}
     lines = {own: [*of_line.get("own", {})], other: [*of_line.get("other", {})]}
-    return Asked(Path(), seconds, {mutant.file: lines}, LONGEST).tests(mutant)
+    return Asked(Path(), seconds, {mutant.file: lines}, LONGEST)
+
+
+def asked(mutant: Mutant, **of_line: dict[str, float]) -> list[str]:
+    """Tests that a mutant is put to."""
+    return known(mutant, **of_line).tests(mutant)
 
 
 def test_a_sample_of_the_framework_is_drawn_from_every_layer_anew_with_every_seed() -> None:
@@ -92,8 +98,26 @@ def test_a_mutant_is_put_to_the_tests_that_run_its_line_those_of_its_folder_firs
 
 def test_a_mutant_that_no_test_runs_is_put_to_those_of_its_file() -> None:
     one, constant = named("one.error / one.tolerance"), f"{OWN}::reads_a_constant_alone"
-    assert asked(one, other={f"{OWN}::a": 1.0}) == [f"{OWN}::a"]
-    assert asked(one, other={f"{OWN}::a": 1.0}, none={constant: 0.1}) == [f"{OWN}::a", constant]
+    bench = known(one, own={f"{FAR}::own": 2.0}, other={f"{OWN}::a": 1.0}, none={constant: 0.1})
+    assert bench.tests_of_file(one) == [f"{OWN}::a", f"{FAR}::own", constant]
+
+
+def test_a_mutant_is_seen_on_import_if_tests_pass_without_it_and_not_with_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    one, original = named("one.error / one.tolerance"), (ROOT / FILE).read_text()
+    (tmp_path / "vv" / "gate").mkdir(parents=True)
+    bench = Asked(tmp_path, {"a": 1.0}, {FILE: {one.lines[0]: ["a"]}}, LONGEST)
+    for fails, seen in (
+        ({one.text()}, "when imported"), ({one.text(), original}, None), ({*()}, None)
+    ):  # fmt: skip
+        monkeypatch.setattr(
+            framework_mutants, "passes",
+            lambda project, *tests, fails=fails: (project / FILE).read_text() not in fails,
+        )  # fmt: skip
+        bench._green_on_import.clear()
+        assert bench.red_on_import(one) == seen
+        assert (tmp_path / FILE).read_text() == original
 
 
 def test_what_runs_on_import_is_told_from_what_runs_when_called() -> None:
