@@ -309,6 +309,24 @@ def test_inputs_are_the_cheapest_within_a_thousandth_or_the_most_accurate() -> N
     assert sorted(every, key=inputs._order) == [cheap, dear, rough, worse, none]
 
 
+def test_each_program_shows_one_input_except_in_scenes_of_more_than_sixty_bodies() -> None:
+    def made(label: str, error: float | None) -> Any:
+        known = [] if error is None else [entry("pass", {"max": error})]
+        return record(label, "T1", 1e-3, quantities=known)
+
+    rough, sharp, silent, own = (
+        made(label, error)
+        for label, error in (("c/a", 0.1), ("c/b", 0.01), ("d/a", None), ("own/a", 1e-9))
+    )
+    place = "bounce", "T1"
+    ran = {place: {one.label: [one] for one in (rough, sharp, silent, own)}}
+    for bodies, shown in ((None, [sharp]), (1, [sharp]), (60, [sharp]), (61, [])):
+        drawn = some(sketch=some(bodies=bodies) if bodies else None)
+        whole = some(cases={"bounce": some(variants={"T1": drawn})}, external=lambda: {"c", "d"})
+        assert inputs.chosen(some(manifest=whole, ran=ran), place) == shown
+        assert inputs.chosen(some(manifest=whole, ran={}), place) == []
+
+
 def test_a_map_of_regions_is_drawn_where_there_is_one_and_something_is_found() -> None:
     facts, looks = case().variants["T1"], marks(["a/a"])
     seen = record("a/a", "T1", 1e-3, quantities=[

@@ -16,6 +16,7 @@ import pytest
 from vv.ask import Run, Status
 from vv.codes import Found
 from vv.codes.reused_program import ReusedProgram
+from vv.run import runner
 from vv.run.process import Batch
 from vv.run.runner import _Worker, run_batches
 
@@ -202,3 +203,18 @@ def made(now: Batch, known: Sequence[Batch], orders: Any) -> _Worker:
     """A worker without a process."""
     nothing: Any = None
     return _Worker(now, known, nothing, nothing, orders, Path(), 1.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("left", "waits"),
+    [((0.7, 0.3), 0.3), ((-2.0, 0.3), 0.0), ((1e10, 1e12), 1.0)],  # s to each deadline
+)
+def test_news_are_awaited_until_the_first_deadline_and_a_second_at_most(
+    left: tuple[float, ...], waits: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[float] = []
+    monkeypatch.setattr(runner, "wait", lambda pipes, timeout: asked.append(timeout))
+    monkeypatch.setattr(runner.time, "monotonic", lambda: 50.0)
+    workers = [SimpleNamespace(deadline=50.0 + one, pipe=None) for one in left]
+    runner._sleep_until_news(workers)  # type: ignore[arg-type]
+    assert asked == [pytest.approx(waits)]
