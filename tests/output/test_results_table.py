@@ -96,7 +96,10 @@ def test_a_broken_law_is_told_with_the_number_beside_its_bound() -> None:
 
 @pytest.mark.parametrize(
     ("seconds", "told"),
-    [(0.0, "0 s"), (2.44e-6, "2.4 us"), (0.0916, "92 ms"), (0.9999, "1 s"), (75.0, "75 s")],
-)
+    [
+        (0.0, "0 s"), (4.27e-9, "0.0043 us"), (2.44e-6, "2.4 us"), (0.0916, "92 ms"),
+        (0.9999, "1 s"), (75.0, "75 s"),
+    ],
+)  # fmt: skip
 def test_a_duration_is_told_in_the_unit_that_suits_it(seconds: float, told: str) -> None:
     assert duration(seconds) == told

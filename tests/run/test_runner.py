@@ -214,7 +214,7 @@ def test_news_are_awaited_until_the_first_deadline_and_a_second_at_most(
 ) -> None:
     asked: list[float] = []
     monkeypatch.setattr(runner, "wait", lambda pipes, timeout: asked.append(timeout))
-    monkeypatch.setattr(runner.time, "monotonic", lambda: 50.0)
+    monkeypatch.setattr(time, "monotonic", lambda: 50.0)
     workers = [SimpleNamespace(deadline=50.0 + one, pipe=None) for one in left]
     runner._sleep_until_news(workers)  # type: ignore[arg-type]
     assert asked == [pytest.approx(waits)]
