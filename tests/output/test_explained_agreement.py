@@ -9,7 +9,7 @@ import pytest
 
 from tests.insight.test_agreement import AGREEING, records_of, written_down
 from tests.support.fabricated import NOWHERE, changed
-from vv.ask import Method
+from vv.ask import Method, Run, Status
 from vv.case import (
     CodeToCode,
     Exact,
@@ -95,3 +95,38 @@ def test_a_tolerance_is_told_with_all_that_it_scales_by(
         f"{Method.PENALTY.value}: shown: too soft",
     ]
     assert told(capsys, Interval(1.0, 2.0, "between")) == ["interval: between"]
+
+
+def test_an_agreement_is_told_below_its_own_variant_alone(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(explain, "_explain_variant", lambda plan, case, name, _: print(name))
+    variants = [SimpleNamespace(name=one) for one in ("other", "floor", "skipped")]
+    source = SimpleNamespace(citation="Someone", doi="", note="none")
+    bounce = SimpleNamespace(title="Bounces", source=source, published={}, variants=variants)
+    plan: Any = SimpleNamespace(
+        cases={"bounce": bounce}, trials={("bounce", "other"): 0, ("bounce", "floor"): 0}
+    )
+    whole = Manifest(NOWHERE, {}, {}, (), tuple(records_of(AGREEING)), (), {}, ())
+    explain.print_explanation(plan, [whole])
+    said = capsys.readouterr().out.splitlines()
+    assert said[-3:-1] == ["other", "floor"]
+    assert said[-1].startswith("  agreement: y of bounce:floor ")
+
+
+@pytest.mark.parametrize(
+    ("reason", "said"),
+    [
+        (None, "two freedoms"),
+        ("a/x has no drag", "has no drag"),
+        ("a/y has no drag", "refused: a/y has no drag"),
+    ],
+)
+def test_a_scheme_is_told_with_its_model_or_with_what_it_lacks(
+    reason: str | None, said: str
+) -> None:
+    settled = Run(Status.REFUSED, reason) if reason else None
+    job: Any = SimpleNamespace(settled=settled, code="a", scheme="x", ask=None)
+    model = SimpleNamespace(describe=lambda ask, scheme: SimpleNamespace(note="two freedoms"))
+    plan: Any = SimpleNamespace(adapters={"a": model})
+    assert explain._model_or_refusal(plan, job) == said
