@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from vv.ask import Method
+from vv.case.published import Paper
 from vv.output import listing
 from vv.plan import imports, planning, published
 from vv.plan.content import ProjectError
@@ -49,7 +50,7 @@ def test_parameters_are_changed_that_differ_from_the_variant_s_own() -> None:
 def test_a_file_whose_paper_is_none_is_refused_by_its_name(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    paper = object.__new__(published.Paper)
+    paper = object.__new__(Paper)
     project: Any = SimpleNamespace(roots=())
     monkeypatch.setattr(published, "files", lambda project: [Path("a.py")])
     monkeypatch.setattr(imports, "attribute", lambda roots, file, name: paper)
