@@ -95,3 +95,10 @@ def test_beyond_the_threshold_the_time_to_overturn_grows_by_a_logarithm() -> Non
     ]
     p = rocking.slenderness(**LAW)[1]
     assert falls[1] - falls[0] == pytest.approx(np.log(100) / p, rel=1e-2)
+
+
+def test_a_sine_too_weak_to_lift_a_block_or_too_slow_to_tell_amplitudes_apart_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"leans from g tan\(alpha\) = 3.27\d* on"):
+        rocking.excess(3.0, **LAW, w=W)
+    with pytest.raises(ValueError, match=r"w = 0.1 1/s; such a slow sine overturns every block"):
+        rocking.threshold(**LAW, w=0.1)

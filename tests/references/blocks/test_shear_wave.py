@@ -132,5 +132,9 @@ def test_what_is_not_covered_is_refused() -> None:
         ValueError, match=r"F = 70.0 Hz; steps of 0.008 s resolve no sine from 62.5"
     ):
         shear_wave.layered_ratio(**{**STEPS[0], "F": 70.0})
+    with pytest.raises(
+        ValueError, match=r"F = 70.0 Hz; steps of 0.008 s resolve no sine from 62.5"
+    ):
+        shear_wave.unlike_ratio(F=70.0, dt=0.008, layers=[shear_wave.Layer(1.0, 1e6, 2e3)])
     with pytest.raises(ValueError, match=r"damping = 1.0; a ratio of damping must be below 1"):
         shear_wave.continuous_ratio(y=1.0, **{**DAMPED[0], "damping": 1.0})

@@ -128,7 +128,7 @@ def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
         ({"M": float("inf")}, r"M = inf kg; .*positive"),
         ({"X": 1.0}, r"X = 1.0 m, x = 1.0 m; .*behind"),
         ({"v": -1.0}, r"v = -1.0 .*positive"),
-        ({"M": 1.0}, r"M/m = 1.0; .*rounding"),
+        ({"m": 2.0, "M": 2.0}, r"M/m = 1.0; .*rounding"),
     ],
 )
 def test_parameters_beyond_the_solution_are_refused(
