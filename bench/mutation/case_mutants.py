@@ -29,7 +29,7 @@ from bench.evidence import conclude
 from bench.mutation.collected_tests import forked
 from bench.mutation.forked_tests import OWN, passes, rewrite, with_tests
 from bench.mutation.framework_mutants import NEEDS, survival
-from bench.mutation.framework_sites import Mutant, equivalents, turnable
+from bench.mutation.framework_sites import Mutant, is_equivalent, turnable
 from bench.mutation.mutants import ROOT
 from bench.mutation.schemata import copied
 from vv.base.closure import import_closure
@@ -50,7 +50,7 @@ def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
     names = [path.relative_to(ROOT).as_posix() for path in paths]
     every = [one for name in names if fnmatch(name, files) for one in turnable(name)]
     shuffled = random.Random(seed).sample(every, len(every))
-    differing = (one for one in shuffled if one.key not in equivalents())
+    differing = (one for one in shuffled if not is_equivalent(one.key))
     return [*itertools.islice(differing, sample)]
 
 

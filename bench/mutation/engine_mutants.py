@@ -27,7 +27,7 @@ from bench.mutation import engine_gate
 from bench.mutation.collected_tests import Collected, collected, fitting, forked
 from bench.mutation.forked_tests import with_tests
 from bench.mutation.framework_mutants import NEEDS, survival
-from bench.mutation.framework_sites import equivalents, named
+from bench.mutation.framework_sites import is_equivalent, named
 from bench.mutation.mutants import ROOT, Mutant, all_places, parsed, turned
 from bench.mutation.schemata import build, switchable
 from bench.mutation.switch import NUMBER
@@ -53,7 +53,7 @@ def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
     names = (path.relative_to(ROOT).as_posix() for path in paths)
     every = [*all_places(name for name in names if fnmatch(name, files))]
     shuffled = random.Random(seed).sample(every, len(every))
-    differing = (one for one in shuffled if _key(one) not in equivalents())
+    differing = (one for one in shuffled if not is_equivalent(_key(one)))
     return [*itertools.islice(filter(switchable, differing), sample)]
 
 

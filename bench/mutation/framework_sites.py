@@ -5,6 +5,7 @@ import copy
 import functools
 import itertools
 import random
+import re
 from collections.abc import Iterator
 from fnmatch import fnmatch
 from pathlib import Path
@@ -27,6 +28,7 @@ SWAPS: dict[type, type] = {
 }  # fmt: skip
 NAMES = {"min": "max", "max": "min", "any": "all", "all": "any"}
 EQUIVALENT = Path(__file__).parent / "equivalent.txt"
+KIND = "~"  # begins a line that names all mutants whose keys match a regular expression
 Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 
 
@@ -84,7 +86,7 @@ def mutants(layer: str, files: str, each: int) -> Iterator[Mutant]:
     for path in sorted((ROOT / layer).rglob("*.py")):
         file = path.relative_to(ROOT).as_posix()
         if fnmatch(file, files):
-            sites = [one for one in turnable(file) if one.key not in equivalents()]
+            sites = [one for one in turnable(file) if not is_equivalent(one.key)]
             yield from sorted(random.Random(file).sample(sites, min(each, len(sites))))
 
 
@@ -117,12 +119,27 @@ def _change(node: ast.AST, made: ast.AST) -> str:
     return f"{ast.unparse(node)[:90]}  ->  {ast.unparse(made)[:90]}"
 
 
+def is_equivalent(key: str) -> bool:
+    """Whether a mutant is known to behave like the original, by itself or by its kind."""
+    return key in equivalents() or any(re.fullmatch(kind, key) for kind in equivalent_kinds())
+
+
 @functools.cache
 def equivalents() -> dict[str, str]:
     """Key of a mutant that behaves like the original -> the reason."""
+    return {key: why for key, why in _told() if key[0] != KIND}
+
+
+@functools.cache
+def equivalent_kinds() -> dict[str, str]:
+    """Pattern of the keys of mutants that behave like the original -> the reason."""
+    return {key[1:].lstrip(): why for key, why in _told() if key[0] == KIND}
+
+
+def _told() -> Iterator[tuple[str, str]]:
     lines = [line for line in EQUIVALENT.read_text().splitlines() if line and line[0] != "#"]
-    told = [line.split("  # ") for line in lines]
-    return {key.rstrip(): why for key, why in told}
+    for key, why in (line.split("  # ") for line in lines):
+        yield key.rstrip(), why
 
 
 @functools.cache

@@ -1,7 +1,9 @@
 """The bench of mutants of the framework: what it turns, what it asks, and how it puts one in."""
 
+import ast
 import gc
 import os
+import re
 import signal
 import time
 from pathlib import Path
@@ -19,7 +21,9 @@ from bench.mutation.framework_sites import (
     EVERY,
     LAYERS,
     Mutant,
+    equivalent_kinds,
     equivalents,
+    is_equivalent,
     mutants,
     turnable,
     uniform,
@@ -71,6 +75,21 @@ def test_a_mutant_that_is_known_as_equivalent_is_there_with_a_reason_and_is_not_
     assert equivalents().keys() <= there
     assert not equivalents().keys() & {one.key for one in uniform("*", EVERY, 1)}
     assert all(why.strip() for why in equivalents().values())
+
+
+def test_a_kind_of_equivalent_mutants_names_small_constants_of_references_and_nothing_else() -> (
+    None
+):
+    (kind,) = equivalent_kinds()
+    files = sorted((ROOT / "reference_solutions").rglob("*.py"))
+    every = [one for path in files for one in turnable(path.relative_to(ROOT).as_posix())]
+    named_by_it = [one for one in every if re.fullmatch(kind, one.key)]
+    assert 100 < len(named_by_it) < 0.03 * len(every)
+    assert all(isinstance(one.node, ast.Constant) for one in named_by_it)
+    assert all(is_equivalent(one.key) for one in named_by_it)
+    assert not {*named_by_it} & {*uniform("*", EVERY, 1, "references")}
+    assert not is_equivalent("reference_solutions/a.py f: 2e-09  ->  3e-09")
+    assert not is_equivalent("vv/base/a.py f: 1e-09  ->  1.5e-09")
 
 
 def test_references_are_a_part_of_their_own_that_their_tests_are_asked_of() -> None:
