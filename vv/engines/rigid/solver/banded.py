@@ -147,9 +147,9 @@ def eliminate(matrix: Vector, right: Vector, half: int) -> None:
     matrix: (m, 3 half + 1), with element (i, j) in row i and column j - i + half, zero farther than
     `half` from the diagonal. Gaussian elimination; its pivots fill the other columns.
     """
-    m = len(right)
-    for k in range(m):
-        best, low, most = k, smaller(k + half, m - 1), smaller(k + 2 * half, m - 1)
+    last = len(right) - 1
+    for k in range(len(right)):
+        best, low, most = k, smaller(k + half, last), smaller(k + 2 * half, last)
         for i in range(k + 1, low + 1):
             if abs(matrix[i, k - i + half]) > abs(matrix[best, k - best + half]):
                 best = i
@@ -164,7 +164,7 @@ def eliminate(matrix: Vector, right: Vector, half: int) -> None:
                 here, there = np.uint64(half + 1 + k - i), np.uint64(half + 1)
                 subtract(matrix, i, k, here, there, np.uint64(most - k), part)
                 right[i] -= part * right[k]
-    for k in range(m - 1, -1, -1):
-        for j in range(k + 1, smaller(k + 2 * half, m - 1) + 1):
+    for k in range(last, -1, -1):
+        for j in range(k + 1, smaller(k + 2 * half, last) + 1):
             right[k] -= matrix[k, j - k + half] * right[j]
         right[k] /= matrix[k, half]

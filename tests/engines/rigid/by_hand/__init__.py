@@ -1,0 +1,1 @@
+"""Claims about single kernels of `rigid`, which have truths by hand."""

@@ -1,0 +1,124 @@
+"""Claims about kernels of `rigid` that tell slip from none, with truths by hand."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+import pytest
+
+from tests.engines.rigid.test_momentum import pile
+from vv.engines.rigid.general.events import may_slip, mean_forces, past_after, slowest_slip
+from vv.engines.rigid.limits import GRIP
+from vv.engines.rigid.solver.assembly import Joints
+from vv.scene import Vector
+
+MU, PUSH = 0.5, 10.0  # N s
+RIGHT = (1.0, 0.0, 0.0)
+
+
+class Sines(NamedTuple):
+    """Of prescribed motions only how many there are."""
+
+    omega: Vector
+
+
+class Moved(NamedTuple):
+    """Of a scene only friction and what moves."""
+
+    mu: float
+    drives: Sines
+    shaking: Sines
+
+
+class Sliding(NamedTuple):
+    """Of friction only the directions of slip at the start."""
+
+    d: Vector
+
+
+class Tried(NamedTuple):
+    """Of a trial only its impulses and velocities."""
+
+    key: Any
+    joints: Joints
+    friction: Sliding
+    p: Vector
+    v: Vector
+    w: Vector
+
+
+def tried(rub: float, push: float = PUSH) -> Tried:
+    """A cube on a floor, pressed at one of its four contacts, where friction acts to the right."""
+    joints, *_ = pile(1, MU)
+    p = np.zeros((4, 3))
+    p[2] = rub, 0.0, push
+    none = np.zeros((4, 3))
+    return Tried(np.zeros((4, 4), int), joints, Sliding(none), p, none[:2].copy(), none[:2].copy())
+
+
+def _may(setting: Any, trial: Any) -> bool:
+    return may_slip(setting, trial)
+
+
+may: Any = numba.njit(_may)
+
+
+@pytest.mark.parametrize(("base", "shaken"), [(0, 1), (2, 0), (1, 1)])
+@pytest.mark.parametrize("rub", [0.98, 1.02, -0.98, -1.02])
+def test_what_sticks_may_slip_beyond_a_part_of_the_limit_where_something_moves(
+    rub: float, base: int, shaken: int
+) -> None:
+    setting = Moved(MU, Sines(np.ones(base)), Sines(np.ones(shaken)))
+    assert may(setting, tried(rub * GRIP * MU * PUSH)) is (abs(rub) > 1.0)
+    still = Moved(MU, Sines(np.ones(0)), Sines(np.ones(0)))
+    assert not may(still, tried(rub * GRIP * MU * PUSH))
+
+
+def test_what_slips_or_is_open_cannot_begin_to_slip() -> None:
+    setting = Moved(MU, Sines(np.ones(1)), Sines(np.ones(0)))
+    slips = tried(MU * PUSH)
+    slips.friction.d[2] = RIGHT
+    assert not may(setting, slips)
+    assert not may(setting, tried(1.0, push=-1e-9))
+
+
+def _slowest(trial: Any, v: Vector, w: Vector) -> float:
+    return slowest_slip(trial, v, w)
+
+
+def test_the_slowest_slip_is_that_of_contacts_which_slip_and_press() -> None:
+    trial = tried(0.0)
+    trial.p[:3, 2] = PUSH
+    trial.friction.d[1:] = [RIGHT, (-0.6, 0.8, 0.0), RIGHT]
+    v, w = np.array([[3.0, 4.0, 0.0], [1.0, 0.0, 0.0]]), np.zeros((2, 3))
+    kernel: Any = numba.njit(_slowest)
+    assert kernel(trial, v, w) == pytest.approx(min(2.0, -0.6 * 2.0 + 0.8 * 4.0))
+    w[0] = 0.0, 0.0, 1.0
+    arms = trial.joints.arm_second
+    turned = [float(np.dot(d, [2.0 - arm[1], 4.0 + arm[0], 0.0]))
+              for d, arm in zip(trial.friction.d[1:3], arms[1:3], strict=True)]  # fmt: skip
+    assert kernel(trial, v, w) == pytest.approx(min(turned))
+
+
+def _forces(p: Vector) -> Vector:
+    return mean_forces(p, 0.25)
+
+
+def _after(trial: Any, least: float) -> tuple[Vector, Any]:
+    past = past_after(trial, 0.25, least)
+    return past.force, past.still
+
+
+def test_after_a_trial_contacts_are_still_that_press_and_do_not_slip() -> None:
+    """Of four, the third alone presses; a velocity along the normal is no slip."""
+    trial, least = tried(2.0), 1e-3
+    after: Any = numba.njit(_after)
+    trial.v[0] = 0.6e-3, -0.8e-3, 7.0
+    for times, still in ((1.02, True), (0.98, False)):
+        force, found = after(trial, times * least)
+        assert found.tolist() == [False, False, still, False]
+        assert force == pytest.approx(4.0 * trial.p)
+    kernel: Any = numba.njit(_forces)
+    assert kernel(trial.p) == pytest.approx(4.0 * trial.p)
