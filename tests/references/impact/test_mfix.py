@@ -58,9 +58,9 @@ def test_mfix_prints_a_dropped_sphere_whose_contact_may_pull() -> None:
 def test_what_mfix_computes_of_bounces_is_right_for_its_springs_and_not_for_rigid_contact() -> None:
     printed = [0.41930671, 0.35478084, 0.30210579, 0.26026070, 0.22626641, 0.19944300]
     seen = [0.1 + top for top in Drop(MASS, 5e4, pulling(0.9), G, True).tops(0.4, 6)]
-    assert seen == pytest.approx(printed, rel=3e-3)
+    assert np.abs(seen / np.array(printed) - 1).max() == pytest.approx(2.1e-3, abs=5e-5)
     rigid = 0.1 + 0.4 * 0.9**12
-    assert printed[-1] / rigid < 0.94
+    assert printed[-1] / rigid == pytest.approx(1 - 0.064, abs=5e-4)
 
 
 def test_mfix_prints_the_modes_of_a_pressed_pair() -> None:
@@ -106,7 +106,7 @@ def test_mfix_prints_a_particle_that_sinks() -> None:
     places = [0.09243469, 0.09127660, 0.08888122, 0.08331620, 0.07472123]
     assert 0.0925 + 0.4 * times - depth == pytest.approx(places, abs=1e-8)
     computed = [-0.01255313, -0.04078975, -0.05263160, -0.05701005, -0.05739209]
-    assert 0.4 - speed == pytest.approx(computed, rel=3e-3)
+    assert 0.4 - speed == pytest.approx(computed, rel=5e-5)
 
 
 def test_stokes_drag_would_have_the_particle_of_dem06_sink_a_third_too_fast() -> None:

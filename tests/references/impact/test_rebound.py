@@ -112,7 +112,7 @@ def test_mfix_prints_hertz_with_a_spring_of_todays_stiffness_and_the_arm_of_the_
 ) -> None:
     after = _struck(Law(4.1968e9, 5.4084e9, MU, a=1.0, b=1.0, h=1.0), degrees)
     kept = after.tangential / (SPEED * math.sin(math.radians(degrees)))
-    assert kept == pytest.approx(printed[0], rel=3e-3)
+    assert kept == pytest.approx(printed[0], rel=6.5e-4)
     # the bound on the spin is 3e-3 of the largest spin, 620 1/s
     assert after.spin == pytest.approx(printed[1], abs=3e-3 * 620)
 

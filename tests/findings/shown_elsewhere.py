@@ -1,0 +1,159 @@
+"""What shows figures of docs/findings.md besides runs: tests, benches, and sources."""
+
+from collections.abc import Mapping
+
+DDA, RIGID = "tests/engines/dda", "tests/engines/rigid"
+STRENGTH = "tests/references/bonds/test_lattice_strength.py"
+MFIX = "tests/references/impact/test_mfix.py"
+REBOUND = "tests/references/impact/test_rebound.py"
+LAGGED = "tests/references/impact/test_lagged_rules.py"
+METAMORPHIC = "tests/adapters/test_metamorphic.py"
+MEASURED = "tests/findings/test_measurements.py"
+
+TESTED: Mapping[str, tuple[str, ...]] = {
+    "A box of 0.6 x 0.4 x 0.8 m thrown with the spin (1, 5, 2) 1/s keeps that spin, and its "
+    "angular momentum is 14 % off after 1 s": (
+        f"{DDA}/test_turning.py::test_the_published_step_has_no_gyroscopic_torque_and_says_so",
+    ),
+    "velocities are then off by dt/2 times the change in acceleration, and displacements by up to "
+    "w^2 T dt/4 of their largest value": (
+        f"{DDA}/test_dda.py::test_shaking_is_felt_in_the_middle_of_a_step_and_by_replicas_at_its_end",
+    ),
+    "until the springs carry only 1e-10 of them": (
+        f"{DDA}/test_augmented_lagrangian.py::"
+        "test_what_rests_no_longer_sinks_by_its_weight_over_the_springs",
+    ),
+    "of a block thrown over a slab that a base drags, both are 1e-5 m off at 4e-3 s, where whole "
+    "steps leave 1.6e-2 m": (
+        f"{DDA}/slides/test_slow_slides.py::"
+        "test_slides_of_two_blocks_that_turn_at_different_times_do_not_depend_on_the_step",
+    ),
+    "This misplaces the stop by up to a dt^2/8": (
+        f"{DDA}/slides/test_slow_slides.py::"
+        "test_a_slide_of_few_steps_ends_where_it_should_and_nothing_creeps_on",
+    ),
+    "by 9e-4 of the answer, and by 5e-2 where friction lags": (
+        f"{METAMORPHIC}::test_what_is_listed_still_goes_too_far",
+        f"{METAMORPHIC}::test_the_answer_is_the_same",
+    ),
+    "In `dda` it falls through at 1e-3 rad, whereas `dda/augmented-lagrangian` supports it at 1e-6 "
+    "rad with an error below 1e-9": (
+        f"{DDA}/test_augmented_lagrangian.py::test_a_wedge_slides_down_the_narrowest_groove",
+    ),
+    "the depth W/(4 kn sin^2(xi/2)) holds for any springs": (
+        "tests/references/hard/test_wedge_on_springs.py::test_the_two_routes_agree_on_what_swings_and_slides",
+    ),
+    "YADE's polyhedra are 2 to 6 % off when lengths are given in units of 1e6 m, and abort in "
+    "units of 1e-6 m": (f"{METAMORPHIC}::test_what_is_listed_still_goes_too_far",),
+    "4.5e-5 at 1600 steps and 1.2e-5 at 6400. The largest error falls more slowly than the step "
+    "because at 6 degrees the spring starts at 0.98 of Coulomb's limit": (
+        f"{LAGGED}::test_yades_hertz_on_a_wall_is_its_rule_to_every_digit",
+        f"{LAGGED}::test_where_slip_begins_is_of_the_order_of_three_halves_beside_the_first",
+    ),
+    "at 0.6 of critical damping such a contact has a restitution of 0.095, and 0.249 if it may not "
+    "pull": ("tests/findings/test_programs.py::test_a_contact_that_pulls_returns_less",),
+    "DEM01 is a contact that exerts tension until the overlap ends, to 2e-8 m": (
+        f"{MFIX}::test_mfix_prints_a_dropped_sphere_whose_contact_may_pull",
+    ),
+    "The heights of DEM02 are those of its springs to 0.21 %, whereas the manual compares them "
+    "with rigid contact, which is 6.4 % off": (
+        f"{MFIX}::"
+        "test_what_mfix_computes_of_bounces_is_right_for_its_springs_and_not_for_rigid_contact",
+    ),
+    "DEM04 rolls at 2/7 v0/(mu g) with 5/7 v0": (
+        f"{MFIX}::test_mfix_prints_two_sevenths_and_five_sevenths_of_a_sliding_sphere",
+    ),
+    "lever arms of R - U, to 0.06 % of the restitution": (
+        f"{REBOUND}::"
+        "test_mfix_prints_hertz_with_a_spring_of_todays_stiffness_and_the_arm_of_the_distance",
+    ),
+    "With linear springs it is up to 1.5 % off, at 10 degrees (0.6556, exactly 0.6456): this is "
+    "the error of the Adams-Bashforth rule at its step, a 50th of the contact of two of its "
+    "spheres with each other and so a 71st of one with the wall": (
+        f"{REBOUND}::test_mfix_prints_linear_springs_with_the_error_of_its_step",
+        f"{REBOUND}::test_finer_steps_of_mfix_lead_to_the_exact_answer_with_arms_of_the_distance",
+    ),
+    "exact to all 8 digits that MFiX prints of its own integration, and to 0.005 % of the "
+    "velocity": (f"{MFIX}::test_mfix_prints_a_particle_that_sinks",),
+    "Aluminium oxide on glass slips throughout from 25 degrees on": (
+        f"{MEASURED}::test_laws_give_the_same_digits_where_an_impact_slips_throughout",
+    ),
+    "within one standard uncertainty, with a bias of 1e-4 and no scatter": (
+        f"{MEASURED}::test_where_all_slips_codes_cannot_be_told_apart",
+    ),
+    "have a bias of 1.0000 to 1.0001 and no scatter where their laws are judged (34, 22 and 22 "
+    "points each)": (
+        f"{MEASURED}::"
+        "test_laws_have_no_bias_where_they_are_judged_and_one_where_they_are_only_shown",
+    ),
+    "the bias is 0.98 to 0.99 with a scatter of 11, 14 and 15 %": (
+        f"{MEASURED}::"
+        "test_laws_have_no_bias_where_they_are_judged_and_one_where_they_are_only_shown",
+    ),
+    "at 0.931 of it along the unit's other three axes, at 0.559 to 0.808 in the plane of the base, "
+    "and at 0.540 at least": (
+        "tests/references/bonds/test_lattice_directions.py::test_it_is_weaker_along_all_other_directions",
+    ),
+    "follow from y_1 = 0.02196 m, whereas the printed y_1 is 0.0221 m": (
+        "tests/findings/test_papers.py::test_li_printed_the_start_of_slip_and_its_velocity_of_another_y_1",
+    ),
+    "5.8 % at 82 elements to 9.7 % at 37 681, 8.5 % on average over nine sizes": (
+        f"{STRENGTH}::test_blocks_are_weaker_than_the_lattice_as_published",
+    ),
+    "the unit times 1 + 1/(6n - 6), for n elements a row": (
+        f"{STRENGTH}::test_without_horizontal_bonds_all_slide_at_once",
+    ),
+    "3.4 % above Eq. 14 at 82 elements, 1.5 % below at 37 681": (
+        f"{STRENGTH}::test_pressed_blocks_are_about_as_strong_as_the_lattice",
+    ),
+    "and 0.4 % at 580": (
+        "tests/references/bonds/test_turning_lattice.py::test_turning_softens_the_faces",
+    ),
+}
+
+BENCHES: Mapping[str, str] = {
+    "In 9 of 200 random scenes of one or two boxes (2.5e-3 s, 1e8 N/m) the ledger of `dda/lagged` "
+    "shows that friction adds energy, 22 to 1180 J, and 17 diverge": "bench.chance.random_scenes",
+    "In 2 to 4 of 100 steps of a facade of 216 blocks that is shaken apart": "bench.speed.masonry",
+    "at 0.51 and 0.72 g every step reaches a residual of 5e-6 m/s": "bench.speed.masonry",
+    "Every step of a wall of 205 blocks that slides at 0.72 g then reaches 5e-6 m/s": (
+        "bench.speed.block_wall"
+    ),
+    "in 373 sweeps on average, which take 12.6 ms of CPU a step": "bench.speed.block_wall",
+}
+
+CITED, MEANT, GONE = (
+    "as its source prints it",
+    "a definition, not a figure",
+    "measured with what its adapter leaves out since, so that no command shows it",
+)
+SAID: Mapping[str, str] = {
+    "there dividing takes up to 14 times the solutions": GONE,
+    "There w dt is 1": MEANT,
+    "The other settings with w dt = 1": MEANT,
+    "would leave the limit at 2/w": MEANT,
+    "LIGGGHTS ends with a mesh error when lengths are given in units of 1e6 m": (
+        "the test of units leaves it out, as the page says"
+    ),
+    "the arm is R - U/2; its torque has R - U/2": MEANT,
+    "the effective radius of a sphere and a wall to be R/2": MEANT,
+    "the velocity of the step before t = 0": MEANT,
+    "and the slip stays: 3e-4 of the speed at 400 steps": GONE,
+    "at a restitution of 0.98 a sphere that sticks to another": "it is in the command",
+    "Warnett and others (2014) measured such an effect": CITED,
+    "(Hsieh and others 2011; Korzec and Jankowski 2018)": CITED,
+    "(Wartman, Seed and Bray 2005, whose rigid blocks move by 27 to 225 % of what was measured)": (
+        CITED
+    ),
+    "(Sarlin and others 2021), rods (Trepanier and Franklin 2010)": CITED,
+    "effect of the size of grains (Warnett and others 2014)": CITED,
+    "Foerster and others (1994) and Lorenz, Tuozzolo and Louge (1997)": CITED,
+    "(2012, arXiv:1204.0001)": CITED,
+    "Tsesarsky, Hatzor and Sitar (2005)": CITED,
+    "Mankoc and others (2007)": CITED,
+    "with it the planar chart is up to 0.14 off": GONE,
+    "slips by 0.29 of its size is 1.6 % off at any step": GONE,
+    "The published shortfall of T_u of blocks, 8.89 % on average": CITED,
+    "the paper's mean of C_u, 18.51 % below": CITED,
+    "The paper has 16.2 % and 2.83e-6 s, at a 25th of the rate": CITED,
+}

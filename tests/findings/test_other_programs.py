@@ -1,0 +1,113 @@
+"""Findings on LMGC90, PyBullet and Kratos, run where they are installed.
+
+Keys, rows and bands are as in tests/findings/test_dda.py.
+"""
+
+import pytest
+
+from tests.support.findings import Row, Table, each, ends, rows, value
+from vv.ask import Knobs, Status
+from vv.case import Level
+
+DEFAULT, PAPER = Level.DEFAULT, Level.PAPER
+LMGC90, PYBULLET, KRATOS = "lmgc90/default", "pybullet/default", "kratos/default"
+BOTH = f"{LMGC90},{PYBULLET}"
+
+FOUND: Table = {
+    "LMGC90 and PyBullet follow a block under gravity, at rest or thrown at first, to 1e-12": [
+        *each(BOTH, ("incline:gravity-5", None, "d", 0.0, 1e-12)),
+        *each(BOTH, ("incline:launch-1", None, "d", 0.0, 1e-12)),
+    ],
+    "and Newmark's block to 1e-5 at 1e-3 s": [
+        *each(BOTH, ("incline:newmark-30", None, "d", 0.0, 1.1e-5)),
+    ],
+    "Both are of first order where the direction of slip turns, 1e-4 at 1e-3 s": [
+        Row("incline:two-directions", LMGC90, None, "distance", 9e-5, 1.1e-4),
+        Row("incline:two-directions", PYBULLET, None, "distance", 8e-5, 1e-4),
+    ],
+    "LMGC90 has every point right, to 8e-4 of the displacement at worst": [
+        Row("failure-modes:2d-20", LMGC90, DEFAULT, "agree", 0.0, 1e-12),
+        Row("failure-modes:2d-20", LMGC90, DEFAULT, "worst", 0.0, 8e-4),
+    ],
+    "PyBullet is up to 3.5e-2 off and has 20 of 22 points right at a friction of 6 degrees": [
+        Row("failure-modes:3d-6", PYBULLET, DEFAULT, "worst", 3.3e-2, 3.6e-2),
+        Row("failure-modes:3d-6", PYBULLET, DEFAULT, value("agree"), 20, 20),
+    ],
+    "ten cubes in 10 s by 1e-4 m in LMGC90 and 2e-3 m in PyBullet at 2e-2 s, and twenty by 0.16 "
+    "and 0.36 m": [
+        Row("standing:stack-10", LMGC90, Knobs(2e-2), "moved", 0.9e-4, 1.3e-4),
+        Row("standing:stack-10", PYBULLET, Knobs(2e-2), "moved", 1.4e-3, 1.8e-3),
+        Row("standing:stack-20", LMGC90, Knobs(2e-2), "moved", 0.12, 0.2),
+        Row("standing:stack-20", PYBULLET, Knobs(2e-2), "moved", 0.3, 0.42),
+    ],
+    "LMGC90's arch stands where it should and sinks by 2e-4 m; PyBullet's falls": [
+        Row("standing:arch", LMGC90, None, "moved", 1.8e-4, 2.1e-4),
+        Row("standing:arch", PYBULLET, None, "moved", 0.8, 1.1),
+    ],
+    "In a groove of 1e-2 rad the wedge is 6 % off in LMGC90 and 37 % in PyBullet; at 1e-6 rad it "
+    "falls freely in both": [
+        Row("wedge:xi-0.01", LMGC90, None, "s", 0.06, 0.065),
+        Row("wedge:xi-0.01", PYBULLET, None, "s", 0.36, 0.38),
+        *each(BOTH, ("wedge:xi-1e-06", None, "s", 0.99, 1.01)),
+    ],
+    "at mu = 1.34, the rod slides on for a while in PyBullet before it jams, for longer with finer "
+    "steps: it is 5e-5, 1.3e-3 and 2.8e-3 off at 1e-3, 5e-4 and 2.5e-4 s": [
+        Row("painleve:mu-1.34", PYBULLET, Knobs(1e-3), "distance", 5e-5, 6e-5),
+        Row("painleve:mu-1.34", PYBULLET, Knobs(5e-4), "distance", 1.2e-3, 1.3e-3),
+        Row("painleve:mu-1.34", PYBULLET, Knobs(2.5e-4), "distance", 2.7e-3, 2.8e-3),
+    ],
+    "which is refused for this reason": [
+        Row("responding-block:3d-turning", LMGC90, None, ends(Status.REFUSED), 1, 1),
+    ],
+    "PyBullet's slip velocity is 2.1 % off, at 1e-3 s and at 1e-4 s alike": [
+        Row("laden-block:turning", PYBULLET, None, "slipping", 0.020, 0.022),
+        Row("laden-block:turning", PYBULLET, Knobs(1e-4), "slipping", 0.020, 0.022),
+    ],
+    "for a cube whose rotation is locked it is right to 5e-6": [
+        Row("laden-block:level", PYBULLET, None, "slip", 0.0, 5e-6),
+    ],
+    "an error of 5e-5 at 1e-3 s, where 2e-2 is allowed": [
+        Row("painleve:mu-2", PYBULLET, Knobs(1e-3), "distance", 5e-5, 6e-5),
+    ],
+    "stops two spins by one impact to 1e-13": [
+        Row("spin-stopped:crossed", PYBULLET, None, "middle", 0.0, 1e-13),
+    ],
+    "A block on a base that shakes at 5 Hz for ten time constants is off by 2.4 times its mean "
+    "displacement in LMGC90 at 1e-3 s, and by 4 % in PyBullet; at 20 Hz by more than eight times "
+    "in both": [
+        Row("shaken-fast:5hz", LMGC90, Knobs(1e-3), "mean", 2.4, 2.5),
+        Row("shaken-fast:5hz", PYBULLET, Knobs(1e-3), "mean", 0.042, 0.046),
+        Row("shaken-fast:20hz", LMGC90, Knobs(1e-3), "mean", 8.2, 8.5),
+        Row("shaken-fast:20hz", PYBULLET, Knobs(1e-3), "mean", 8.6, 8.9),
+    ],
+    "Kratos has the phase of a leapfrog to 3e-15 over thousands of oscillations": [
+        Row("long-swing:pressed", KRATOS, None, "leapfrog", 0.0, 1e-14),
+    ],
+    "and its largest stable step to 5e-4": [
+        Row("stable-step:undamped", KRATOS, None, "limit", 0.0, 5e-4),
+    ],
+    "3.6e-6 at 1600 steps and an overlap of 0.027 R": [
+        Row("oblique-impact:along-polyethylene-linear", KRATOS, PAPER, "nearest", 3.5e-6, 3.7e-6),
+    ],
+    "an error of 5e-5 of their transverse displacement remains at any step": [
+        Row("bounce:again", KRATOS, None, "y1", 2.8e-4, 3.2e-4),
+        Row("bounce:again", KRATOS, DEFAULT, "y1", 4.8e-5, 5.4e-5),
+    ],
+    "Kratos' Hertz law is of second order head on, with YADE's digits": [
+        *each(f"{KRATOS},yade/default", ("hertz-impact:glass", None, "overlap", 1.03e-4, 1.05e-4)),
+    ],
+    "This makes a difference of 0.3 to 1.9 % of a velocity": [
+        Row("oblique-impact:angle-alumina", KRATOS, None, "worst", 3.2e-3, 3.5e-3),
+        Row("oblique-impact:spun-alloy", KRATOS, None, "worst", 0.0185, 0.0195),
+    ],
+    "LMGC90 follows it within 4e-4 of its displacement at any step, and PyBullet within 5e-4 at "
+    "1e-3 s": [
+        Row("rocking:stands", LMGC90, None, "distance", 3e-4, 4e-4),
+        Row("rocking:stands", PYBULLET, None, "distance", 5e-4, 5.6e-4),
+    ],
+}
+
+
+@pytest.mark.parametrize("row", rows(FOUND))
+def test_lmgc90_pybullet_and_kratos_are_as_they_are_told(row: Row) -> None:
+    row.check()

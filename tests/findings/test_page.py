@@ -1,0 +1,116 @@
+"""Claims about docs/findings.md: each figure is in words that a run, a test or a source shows."""
+
+import re
+import shlex
+from collections.abc import Iterator
+
+import pytest
+from typer.core import TyperGroup
+from typer.main import get_command
+
+from bench.findings import SLOW
+from tests import ROOT
+from tests.findings import (
+    test_dda,
+    test_measurements,
+    test_other_programs,
+    test_papers,
+    test_programs,
+    test_replicas,
+    test_rigid_and_dem,
+)
+from tests.findings.shown_elsewhere import BENCHES, SAID, TESTED
+from tests.support.findings import PROJECT, Row
+from vv.case import Level
+from vv.cli import app
+from vv.plan.selection import choose_schemes, named_adapters, select
+
+PAGE = (ROOT / "docs" / "findings.md").read_text()
+BULLETS = [line[2:] for line in PAGE.splitlines() if line.startswith("- ")]
+QUOTED = re.compile(r"`([^`]+)`")
+FIGURE = re.compile(r"(?<![\w.^-])\d")
+MODULES = (
+    test_dda,
+    test_measurements,
+    test_other_programs,
+    test_papers,
+    test_programs,
+    test_replicas,
+    test_rigid_and_dem,
+)
+RUN = [(told, row) for one in MODULES for told, group in one.FOUND.items() for row in group]
+ROWS = [row for _, row in RUN] + [row for group in SLOW.values() for row in group]
+TOLD = [*(told for told, _ in RUN), *SLOW, *TESTED, *BENCHES, *SAID]
+
+
+def commands() -> list[str]:
+    """The commands of the page that run cases."""
+    return sorted({text for text in QUOTED.findall(PAGE) if text.startswith("vv run ")})
+
+
+def parsed(command: str) -> dict[str, object]:
+    """The arguments of a command as the command line reads them; it ends on what it does not."""
+    group = get_command(app)
+    assert isinstance(group, TyperGroup)
+    return dict(group.commands["run"].make_context("run", shlex.split(command)[2:]).params)
+
+
+@pytest.mark.parametrize("told", sorted(set(TOLD)))
+def test_what_is_shown_is_on_the_page(told: str) -> None:
+    assert PAGE.count(told) == 1
+
+
+def unshown() -> Iterator[str]:
+    """The places on the page with a figure that no table has; names and commands are no figures."""
+    for bullet in BULLETS:
+        shown = [(at, at + len(told)) for told in TOLD if (at := bullet.find(told)) >= 0]
+        bare = QUOTED.sub(lambda found: "`" * len(found[0]), bullet)
+        for found in FIGURE.finditer(bare):
+            if not any(first <= found.start() < last for first, last in shown):
+                yield bullet[max(0, found.start() - 50) : found.start() + 30]
+
+
+def test_each_figure_is_shown_by_something() -> None:
+    assert not list(unshown())
+
+
+@pytest.mark.parametrize("bullet", BULLETS, ids=lambda text: " ".join(text.split()[:6]))
+def test_each_finding_names_what_shows_it(bullet: str) -> None:
+    paths = r"vv run .*|python -m bench\..*|(tests|reference_solutions)/[\w/]*(\.py)?"
+    assert any(re.fullmatch(paths, text) for text in QUOTED.findall(bullet))
+
+
+@pytest.mark.parametrize("text", sorted(set(QUOTED.findall(PAGE))))
+def test_files_and_benches_that_are_named_are_there(text: str) -> None:
+    if text.startswith("python -m "):
+        text = f"{text.split()[2].replace('.', '/')}.py"
+    if text.startswith(("tests/", "reference_solutions/", "bench/")):
+        assert (ROOT / text).exists()
+
+
+@pytest.mark.parametrize("told", TESTED)
+def test_tests_that_show_a_figure_are_there(told: str) -> None:
+    for place in TESTED[told]:
+        path, _, name = place.partition("::")
+        assert re.search(rf"^def {name}\(", (ROOT / path).read_text(), re.MULTILINE)
+
+
+@pytest.mark.parametrize("command", commands())
+def test_the_command_line_takes_a_command_and_its_finding_is_run(command: str) -> None:
+    """A row is of one of its variants, one of its schemes and its changes of parameters."""
+    given = parsed(command)
+    codes = tuple(str(given["codes"]).split(","))
+    schemes = {
+        f"{adapter.name}/{scheme.name}"
+        for adapter, scheme in choose_schemes(named_adapters(PROJECT, codes), codes)
+    }
+    level = Level(given["level"])
+    chosen = select(PROJECT, given["selection"])  # type: ignore[arg-type]
+    variants = {f"{case.name}:{name}" for case, name in chosen if case.variant(name).runs_at(level)}
+    sets = {one.replace(" ", "") for one in given["settings"] or ()}  # type: ignore[attr-defined]
+
+    def shows(row: Row) -> bool:
+        name, *changed = row.name.split()
+        return name in variants and row.scheme in schemes and set(changed) >= sets
+
+    assert any(shows(row) for row in ROWS)
