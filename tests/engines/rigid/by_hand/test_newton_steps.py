@@ -42,6 +42,9 @@ def test_the_slope_of_a_projected_impulse_is_its_derivative(way: str) -> None:
         u[:2] = -4e-2, 3e-2
     p, slope = projected(joints, friction, q, u)
     assert (p == 0.0).all() == (way == "parts")
+    if way == "sticks":
+        stiff = STIFF / np.array([joints.along[0], joints.along[0], joints.across[0]])
+        assert p == pytest.approx(q - stiff * (u - [0.0, 0.0, 1e-3]))
     step = 1e-6
     by_differences = [
         (projected(joints, friction, q, u - e)[0] - projected(joints, friction, q, u + e)[0])

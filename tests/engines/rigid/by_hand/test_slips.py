@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numba
@@ -9,8 +10,9 @@ import numpy as np
 import pytest
 
 from tests.engines.rigid.test_momentum import pile
+from vv.engines.rigid.general import events
 from vv.engines.rigid.general.events import may_slip, mean_forces, past_after, slowest_slip
-from vv.engines.rigid.limits import GRIP
+from vv.engines.rigid.limits import BEGINS, CLOSE, GLIMPSE, GRIP
 from vv.engines.rigid.solver.assembly import Joints
 from vv.scene import Vector
 
@@ -91,10 +93,10 @@ def _slowest(trial: Any, v: Vector, w: Vector) -> float:
 def test_the_slowest_slip_is_that_of_contacts_which_slip_and_press() -> None:
     trial = tried(0.0)
     trial.p[:3, 2] = PUSH
-    trial.friction.d[1:] = [RIGHT, (-0.6, 0.8, 0.0), RIGHT]
+    trial.friction.d[1:] = [RIGHT, (0.6, 0.8, 0.0), (-1.0, 0.0, 0.0)]
     v, w = np.array([[3.0, 4.0, 0.0], [1.0, 0.0, 0.0]]), np.zeros((2, 3))
     kernel: Any = numba.njit(_slowest)
-    assert kernel(trial, v, w) == pytest.approx(min(2.0, -0.6 * 2.0 + 0.8 * 4.0))
+    assert kernel(trial, v, w) == pytest.approx(2.0)
     w[0] = 0.0, 0.0, 1.0
     arms = trial.joints.arm_second
     turned = [float(np.dot(d, [2.0 - arm[1], 4.0 + arm[0], 0.0]))
@@ -122,3 +124,40 @@ def test_after_a_trial_contacts_are_still_that_press_and_do_not_slip() -> None:
         assert force == pytest.approx(4.0 * trial.p)
     kernel: Any = numba.njit(_forces)
     assert kernel(trial.p) == pytest.approx(4.0 * trial.p)
+
+
+@pytest.mark.parametrize(
+    ("starts", "lasts"),
+    [(0.3, None), (0.71, None), (0.99, None), (0.0, 1.0), (1.05, 1.0), (0.5 * CLOSE, 1.0)],
+)
+@pytest.mark.parametrize("dt", [1e-4, 1e-2])
+def test_a_slip_begins_within_a_part_of_a_step_of_where_it_is_said_to(
+    monkeypatch: pytest.MonkeyPatch, dt: float, starts: float, lasts: float | None
+) -> None:
+    """A short trial sees it at once, a long one a tenth of a step later; time is the state here.
+
+    A step in which slip begins at once, or not at all, is taken whole.
+    """
+
+    def attempt(setting: Any, state: list[float], now: float, span: float, *_: Any) -> Any:
+        assert state[0] == pytest.approx(now / dt)
+        brief = span == pytest.approx(GLIMPSE * dt)
+        late = now / dt >= starts if brief else (now + span) / dt > starts + 0.1
+        return SimpleNamespace(begun=late, gaps=SimpleNamespace(slack=0.0))
+
+    replaced = {
+        "attempt": attempt,
+        "marked": bool,
+        "copy_of": list,
+        "move": lambda setting, state, trial, span: state.__setitem__(0, state[0] + span / dt),
+        "past_after": lambda *_: None,
+    }
+    for name, one in replaced.items():
+        monkeypatch.setattr(events, name, one)
+    setting = SimpleNamespace(pull=0.0, tolerance=0.0, slack=0.0)
+    search: Any = events.time_to_slip_start
+    found = search.py_func(setting, [0.0], None, 0.0, dt, dt, None, attempt(0, [0.0], 0.0, dt)) / dt
+    if lasts is None:
+        assert 0.0 <= starts - found <= 0.5**BEGINS
+    else:
+        assert found == lasts
