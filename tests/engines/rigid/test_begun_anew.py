@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from vv.engines.rigid.general import converge
-from vv.engines.rigid.limits import CHAIN, FAR, SOFT, STALLED, STUCK
+from vv.engines.rigid.limits import CARRIED, CHAIN, FAR, LEAPT, SOFT, STALLED, STEADIED, STUCK
 from vv.scene import Vector
 
 ASKED = 1e-6  # m/s
@@ -90,3 +91,32 @@ def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
     )
     assert (done, found) == (["stiff newton", "stiff newton"], (3 * STALLED, 0.0))
     assert (p == 1.0).all()
+
+
+@pytest.mark.parametrize(
+    ("way", "blocks", "most", "parts"),
+    [
+        ("solve_in_turns", 2, 2 * STALLED + 7, [STALLED, STALLED, 7]),
+        ("solve_in_turns", BLOCKS, CARRIED + STEADIED + 7, [CARRIED, STEADIED, 7]),
+        ("solve_with_leaps", BLOCKS, LEAPT, 3 * [STUCK]),
+    ],
+)
+def test_sweeps_are_no_more_than_allowed_and_go_on_as_long_as_each_kind_may(
+    monkeypatch: pytest.MonkeyPatch, done: list[str], way: str, blocks: int, most: int, parts: Any
+) -> None:
+    taken: list[int] = []
+
+    def swept(*given: Any) -> tuple[int, float]:
+        taken.append(given[-1])
+        return given[-1], NEAR
+
+    for name in ("leap_sweeps", "momentum_sweeps", "solve_contacts"):
+        monkeypatch.setattr(converge, name, swept)
+    monkeypatch.setattr(converge, "recomputed", lambda *_: NEAR)
+    monkeypatch.setattr(converge, "smaller", min)
+    setting, p = SimpleNamespace(tolerance=ASKED, most=most, mass=np.ones(blocks)), np.ones((3, 3))
+    given = (setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED)
+    solve = getattr(converge, way).py_func
+    sweeps, _ = solve(*given, None) if way == "solve_with_leaps" else solve(*given)
+    assert taken == parts
+    assert sweeps == most

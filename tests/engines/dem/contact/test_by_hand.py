@@ -7,7 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from vv.engines.dem.contact.friction import slip_direction
+from vv.engines.dem.contact import hertz
+from vv.engines.dem.contact.friction import at_limit, slip_direction
+from vv.engines.dem.contact.hertz import Elastic
 from vv.engines.dem.contact.linear import friction_limits
 from vv.engines.dem.contact.micro_slip import FIRST, ROOM, SPRINGS, MicroSlip, spring_spacing
 from vv.engines.dem.contact.touch import Touch
@@ -88,3 +90,63 @@ def test_springs_of_a_contact_that_outgrows_them_are_spread(reach: float, times:
     stayed = np.arange(1.0, SPRINGS + 1.0, times)
     assert (kept[0, FIRST::3][: len(stayed)] == stayed).all()
     assert not kept[0, FIRST::3][len(stayed) :].any()
+
+
+@compiled
+def held_at(
+    old: Triple, pull: Triple, slide: Triple, ks: float, cap: float
+) -> tuple[Triple, float]:
+    return at_limit(old, pull, slide, ks, cap)
+
+
+def test_friction_at_its_limit_takes_the_mean_force_times_the_slip() -> None:
+    """The slip is the slide but for what stretches the spring."""
+    old, pull, slide = (
+        np.array([2.0, 0.0, 1.0]),
+        np.array([3.0, 4.0, 0.0]),
+        np.array([-0.1, -0.3, 0]),
+    )
+    new, taken = held_at(tuple(old), tuple(pull), tuple(slide), 50.0, 2.5)
+    due = 2.5 * pull / 5.0
+    assert new == pytest.approx(due)
+    assert taken == pytest.approx(-0.5 * (old + due) @ (slide + (due - old) / 50.0))
+
+
+ELASTIC = Elastic(1e8, (8e7, MU), 0.2, (0.0, 0.0))
+RADIUS, MASS = 0.04, 0.3  # m, kg
+
+
+@compiled
+def hertzian(
+    law: Elastic, touch: Touch, spring: Triple
+) -> tuple[tuple[float, float], float, float, tuple[float, float]]:
+    ks, caps = hertz.shear_stiffness(law, touch, RADIUS, MASS, spring)
+    seen = hertz.shear_energy(law, touch.overlap, RADIUS, spring)
+    return hertz.normal_force(law, touch.overlap, RADIUS), ks, seen, caps
+
+
+def damped(overlap: float) -> float:
+    """2 z sqrt(m kn) [N s/m], with kn = 2 E sqrt(R U)."""
+    return 2.0 * 0.2 * math.sqrt(MASS * 2.0 * 1e8 * math.sqrt(RADIUS * overlap))
+
+
+def pushed(overlap: float) -> float:
+    return 4.0 / 3.0 * 1e8 * math.sqrt(RADIUS * overlap) * overlap
+
+
+@pytest.mark.parametrize("opened", [-6e-5, 3e-5])
+def test_elastic_spheres_press_and_rub_as_hertz_and_mindlin_say(opened: float) -> None:
+    """The shear stiffness is the mean of 8 G sqrt(R U), with U linear in time."""
+    u, rates, spring = 1e-4, (-0.02, -0.03), (0.1, -0.2, 0.2)
+    (push, held), ks, sprung, caps = hertzian(ELASTIC, touching(u, opened, rates), spring)
+    assert (push, held) == pytest.approx((pushed(u), 0.4 * pushed(u) * u))
+    parts = u + opened * (np.arange(10_000) + 0.5) / 10_000
+    assert ks == pytest.approx(8.0 * 8e7 * math.sqrt(RADIUS) * np.mean(np.sqrt(parts)), rel=1e-7)
+    assert sprung == pytest.approx(0.5 * 0.09 / (8.0 * 8e7 * math.sqrt(RADIUS * u)))
+    due = [pushed(u + opened) + 0.02 * damped(u + opened), pushed(u) + 0.03 * damped(u)]
+    assert caps == pytest.approx([MU * due[0], MU * due[1]])
+
+
+def test_friction_of_elastic_spheres_is_never_pulled_nor_less_than_before() -> None:
+    caps = hertzian(ELASTIC, touching(1e-4, 1e-5, (90.0, 90.0)), (1.0, -2.0, 2.0))[3]
+    assert caps == pytest.approx((3.0, 0.0))
