@@ -2,11 +2,12 @@
 
 `python -m bench.mutation.case_mutants --sample N --seed K` draws from all places in cases/ with
 equal probability. A mutant is checked by everything that should detect a wrong number in a case:
-the gallery page of the case, which a test compares with its declaration; the tests that import the
-file; the quick gate of the case with the codes that come with vv, against the accepted results; and
-the tests that name the case. For a file that several cases share only a few cases are checked,
-first those that name it. Hangs are detected by CPU time. If a check is red without a mutant, the
-bench ends without a judgement.
+the gallery page of the case, which a test compares with its declaration; the record of what it
+declares at other parameters, and measures of made-up runs; the tests that import the file; the
+quick gate of the case with the codes that come with vv, against the accepted results; and the tests
+that name the case. For a file that several cases share only a few cases are checked, first those
+that name it. Hangs are detected by CPU time. If a check is red without a mutant, the bench ends
+without a judgement.
 """
 
 import argparse
@@ -40,6 +41,7 @@ from vv.plan.project import find
 ASKED = 5  # the most cases that are checked for a shared file
 CODES = "exact,dem,dda,rigid"
 PAPERS = ("tests/case/test_published.py", "tests/insight/test_papers.py")
+RECORD = "tests/cases/test_declarations.py"
 SPENT = 120.0  # s of CPU time, many times the usual, after which a process counts as hung
 GALLERY = ROOT / "docs" / "gallery"
 
@@ -105,6 +107,13 @@ def red_gate(project: Path, case: str) -> bool:
     return done.returncode != 0
 
 
+def other_record(project: Path, case: str) -> bool:
+    """Whether a case declares or measures other than recorded."""
+    return not passes(
+        project, f"{RECORD}::test_a_case_declares_and_measures_what_was_recorded[{case}]"
+    )
+
+
 def red_tests(project: Path, what: str) -> bool:
     """Whether a test that names a case, or imports a file, is red."""
     return bool(tests_of(what)) and not passes(project, *tests_of(what))
@@ -115,7 +124,7 @@ def _limited() -> None:
 
 
 WAYS: dict[str, Callable[[Path, str], bool]] = {
-    "page": changed_page, "gate": red_gate, "tests": red_tests
+    "page": changed_page, "record": other_record, "gate": red_gate, "tests": red_tests
 }  # fmt: skip
 
 
@@ -130,6 +139,7 @@ def questions(mutant: Mutant) -> Iterator[tuple[str, str]]:
     """The checks of a mutant as (way, case or file), the cheapest first."""
     cases = cases_of(mutant.file)[:ASKED]
     yield from (("page", case) for case in cases)
+    yield from (("record", case) for case in cases)
     yield "tests", mutant.file
     yield from (("gate", case) for case in cases if is_quick(case))
     yield from (("tests", case) for case in cases)

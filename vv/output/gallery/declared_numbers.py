@@ -8,7 +8,17 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from vv.ask import Knobs
-from vv.case import Case, Level, Quantity, Series, Study, Trial, Variant, evaluated
+from vv.case import (
+    Case,
+    Level,
+    Parameters,
+    Quantity,
+    Series,
+    Study,
+    Trial,
+    Variant,
+    evaluated,
+)
 from vv.codes.program.question import data
 from vv.output.gallery.number_text import LISTED, fields, gathered, listed
 
@@ -18,9 +28,9 @@ SCALES = ("scale", "still")
 Lines = dict[str, str]  # what it is -> its numbers
 
 
-def numbers(case: Case, variant: Variant) -> Lines:
-    """The numbers of a variant at its default parameters."""
-    values = case.defaults(variant.name)
+def numbers(case: Case, variant: Variant, other: Parameters | None = None) -> Lines:
+    """The numbers of a variant at its default parameters, or at others."""
+    values = other or case.defaults(variant.name)
     trial = case.declare(variant.name, values)
     return {
         **{f"parameter {name}": f"{value:g}" for name, value in values.items()},
