@@ -73,13 +73,15 @@ def test_a_mutant_of_an_engine_is_part_of_the_codes_that_import_it() -> None:
     assert {"dda", "rigid"} <= {*codes("vv/engines/blocks/geometry.py")}
 
 
-def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_its_gate_and_its_tests() -> None:
+def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_record_gate_and_tests() -> None:
     (first, *_) = turnable("cases/hard/wedge.py")
     asked = [*case_mutants.questions(first)]
     assert asked[0] == ("page", "wedge")
     assert ("tests", "cases/hard/wedge.py") in asked
-    assert [way for way, case in asked if case == "wedge"] == ["page", "gate", "tests"]
-    assert len(asked) <= 1 + 3 * case_mutants.ASKED
+    assert [way for way, case in asked if case == "wedge"] == [
+        "page", "record", "gate", "tests"
+    ]  # fmt: skip
+    assert len(asked) <= 1 + 4 * case_mutants.ASKED
     assert "tests/cases/hard/test_wedge.py" in case_mutants.tests_of("wedge")
     least = "tests/cases/impact/test_least_of_largest.py"
     assert case_mutants.tests_of("cases/impact/_oblique.py") == (least,)
@@ -90,7 +92,7 @@ def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_its_gate_and_it
 def test_the_gate_is_not_asked_of_a_case_that_it_does_not_run_quickly() -> None:
     (first, *_) = turnable("cases/bulk/hopper.py")
     assert {way for way, case in case_mutants.questions(first) if case == "hopper"} == {
-        "page", "tests"
+        "page", "record", "tests"
     }  # fmt: skip
 
 

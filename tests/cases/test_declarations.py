@@ -40,7 +40,9 @@ def same(what: str, kept: Row, found: Row) -> bool:
 def _near(first: list[str], second: list[str]) -> bool:
     try:
         values = [float(one) for one in second]
-        return [float(one) for one in first] == pytest.approx(values, rel=1e-4, abs=1e-9, nan_ok=True)
+        return [float(one) for one in first] == pytest.approx(
+            values, rel=1e-4, abs=1e-9, nan_ok=True
+        )
     except ValueError:
         return False
 
