@@ -6,12 +6,12 @@ import json
 
 import pytest
 
-from tests.support.declarations import LARGE, RECORD, Row, declared
+from tests.cases.declarations import LARGE, RECORD, Row, declared
 from vv.plan.project import find
 
 PROJECT = find()
 ROWS: dict[str, Row | str] = json.loads(RECORD.read_text())
-ANEW = "if it is meant: python -m tests.support.declarations"
+ANEW = "if it is meant: python -m tests.cases.declarations"
 
 
 @pytest.mark.parametrize("name", PROJECT.case_names())

@@ -1,6 +1,6 @@
 """What a case declares at random parameters, and measures of runs made up by formula, as digests.
 
-`python -m tests.support.declarations [CASE ...]` writes the record anew that
+`python -m tests.cases.declarations [CASE ...]` writes the record anew that
 `tests/cases/test_declarations.py` compares with. The gate judges the variants of one level at their
 default parameters, and pages show what is declared at these. The record covers the rest: bounds,
 refusals and scenes at other parameters, and how quantities are measured at levels above quick.
