@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from vv.engines.dem.contact import hertz
-from vv.engines.dem.contact.friction import at_limit, slip_direction
 from vv.engines.dem.contact.hertz import Elastic
 from vv.engines.dem.contact.linear import friction_limits
 from vv.engines.dem.contact.micro_slip import FIRST, ROOM, SPRINGS, MicroSlip, spring_spacing
@@ -40,21 +39,6 @@ def test_friction_is_limited_by_springs_and_dashpots_together() -> None:
 def test_friction_before_a_step_is_at_least_what_there_is_and_after_it_nothing_pulls() -> None:
     touch = touching(1e-3, 1e-3, (1.5, 1.0))
     assert limits(touch, ETA, (3.0, 4.0, 0.0)) == pytest.approx((5.0, 0.0))
-
-
-@compiled
-def aimed(old: Triple, slide: Triple, change: Triple, x: float) -> Triple:
-    trial = (old[0] - slide[0], old[1] - slide[1], old[2] - slide[2])
-    return slip_direction(old, trial, slide, change, (5.0, 5.0), x, math.exp(-x))
-
-
-@pytest.mark.parametrize("x", [0.1, 0.5, 4.0])
-def test_slip_that_grows_turns_friction_as_steady_slip_does(x: float) -> None:
-    """Of the change of the slide only what is across it counts."""
-    old, slide, across = (3.0, 4.0, 0.0), np.array([-0.1, -0.3, 0.0]), np.array([0.06, -0.02, 0.0])
-    steady = aimed(old, tuple(slide), tuple(across), x)
-    assert aimed(old, tuple(slide), tuple(across + 0.4 * slide), x) == pytest.approx(steady)
-    assert aimed(old, tuple(slide), tuple(0.4 * slide), x) != pytest.approx(steady, rel=1e-5)
 
 
 @compiled
@@ -90,26 +74,6 @@ def test_springs_of_a_contact_that_outgrows_them_are_spread(reach: float, times:
     stayed = np.arange(1.0, SPRINGS + 1.0, times)
     assert (kept[0, FIRST::3][: len(stayed)] == stayed).all()
     assert not kept[0, FIRST::3][len(stayed) :].any()
-
-
-@compiled
-def held_at(
-    old: Triple, pull: Triple, slide: Triple, ks: float, cap: float
-) -> tuple[Triple, float]:
-    return at_limit(old, pull, slide, ks, cap)
-
-
-def test_friction_at_its_limit_takes_the_mean_force_times_the_slip() -> None:
-    """The slip is the slide but for what stretches the spring."""
-    old, pull, slide = (
-        np.array([2.0, 0.0, 1.0]),
-        np.array([3.0, 4.0, 0.0]),
-        np.array([-0.1, -0.3, 0]),
-    )
-    new, taken = held_at(tuple(old), tuple(pull), tuple(slide), 50.0, 2.5)
-    due = 2.5 * pull / 5.0
-    assert new == pytest.approx(due)
-    assert taken == pytest.approx(-0.5 * (old + due) @ (slide + (due - old) / 50.0))
 
 
 ELASTIC = Elastic(1e8, (8e7, MU), 0.2, (0.0, 0.0))
