@@ -45,6 +45,11 @@ TESTED: Mapping[str, tuple[str, ...]] = {
     ),
     "YADE's polyhedra are 2 to 6 % off when lengths are given in units of 1e6 m, and abort in "
     "units of 1e-6 m": (f"{METAMORPHIC}::test_what_is_listed_still_goes_too_far",),
+    "which makes it first order where a bond stretches and shears at once, 1.5e-6 of the force at "
+    "1e-8 s": (
+        "tests/adapters/yade/test_bonds.py::"
+        "test_a_bond_that_stretches_and_shears_at_once_is_of_first_order",
+    ),
     "4.5e-5 at 1600 steps and 1.2e-5 at 6400. The largest error falls more slowly than the step "
     "because at 6 degrees the spring starts at 0.98 of Coulomb's limit": (
         f"{LAGGED}::test_yades_hertz_on_a_wall_is_its_rule_to_every_digit",

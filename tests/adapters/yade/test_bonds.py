@@ -148,6 +148,17 @@ def test_reactions_to_what_is_carried_are_those_of_the_in_house_code(tmp_path: P
 
 
 @live
+def test_a_bond_that_stretches_and_shears_at_once_is_of_first_order(tmp_path: Path) -> None:
+    """The in-house code, of second order, is 1.6e-10 off at the second of these steps."""
+    base = carried(np.array([0.3, 9.0, 0.0]))
+    asks = [dataclasses.replace(base, knobs=Knobs(dt=dt)) for dt in (1e-8, 5e-9, 6.25e-10)]
+    due = dem.solve_default(asks[-1]).values[Reaction(1)]
+    found = [run.values[Reaction(1)] for run in ADAPTER.run(asks[:2], "default", tmp_path, 0.0)]
+    off = [np.abs(one - due).max() / np.abs(due).max() for one in found]
+    assert off == pytest.approx([1.5e-6, 7.3e-7], rel=0.05)
+
+
+@live
 @pytest.mark.parametrize("velocity", [[0.3, 0, 0], [0, 30.0, 0], [-2.0, 30.0, 0]])
 def test_bonds_break_in_tension_and_in_shear(velocity: list[float], tmp_path: Path) -> None:
     """Pulled apart, sheared, and sheared under pressure, where friction goes on."""
