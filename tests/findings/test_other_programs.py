@@ -3,9 +3,13 @@
 Keys, rows and bands are as in tests/findings/test_dda.py.
 """
 
+import math
+
 import pytest
 
-from tests.support.findings import Row, Table, each, ends, rows, value
+from tests.references.impact.test_lagged_rules import ALUMINA, ON_GLASS, UNIT, stepped
+from tests.support.findings import PROJECT, Row, Table, asked, each, ends, rows, value
+from tests.support.installed import require
 from vv.ask import Knobs, Status
 from vv.case import Level
 
@@ -96,7 +100,7 @@ FOUND: Table = {
     "Kratos' Hertz law is of second order head on, with YADE's digits": [
         *each(f"{KRATOS},yade/default", ("hertz-impact:glass", None, "overlap", 1.03e-4, 1.05e-4)),
     ],
-    "This makes a difference of 0.3 to 1.9 % of a velocity": [
+    "The law makes a difference of 0.3 to 1.9 % of a velocity": [
         Row("oblique-impact:angle-alumina", KRATOS, None, "worst", 3.2e-3, 3.5e-3),
         Row("oblique-impact:spun-alloy", KRATOS, None, "worst", 0.0185, 0.0195),
     ],
@@ -111,3 +115,20 @@ FOUND: Table = {
 @pytest.mark.parametrize("row", rows(FOUND))
 def test_lmgc90_pybullet_and_kratos_are_as_they_are_told(row: Row) -> None:
     row.check()
+
+
+@pytest.mark.parametrize("degrees", [2.24, 4.22, 9.84, 20.22])
+def test_kratos_shear_force_falls_with_the_stiffness_where_a_contact_unloads(
+    degrees: float,
+) -> None:
+    """The rule is integrated by itself, with as many steps; increments alone are 5e-4 off."""
+    require(PROJECT.load_adapter("kratos"))
+    found = value(f"kept-{degrees:g}")(asked("kharaz:hertz", KRATOS, PAPER))
+    across = 3.9 * math.sin(math.radians(degrees))
+    out = 3.9 * math.cos(math.radians(degrees))
+    rule, plain = (
+        stepped(ON_GLASS, ALUMINA, out, across, UNIT / 1600, softens=softens)[1]
+        for softens in (True, False)
+    )
+    assert rule == pytest.approx(found * across, abs=1e-8 * 3.9)
+    assert abs(plain - found * across) > 5e-4 * 3.9

@@ -38,12 +38,13 @@ SOFT = Law(2071.242175301532, 1553.431631476149, 0.3, 1.0, a=1.0, b=1.0)
 KRATOS = (6.557e-5, 2.602e-5, 1.427e-5, 3.581e-6, 9.167e-7)  # along-polyethylene-linear, slip 4
 
 
-def _stepped(
-    law: Law, one: Sphere, vn: float, vt: float, dt: float, late: float = 1.0
+def stepped(
+    law: Law, one: Sphere, vn: float, vt: float, dt: float, late: float = 1.0, softens: bool = False
 ) -> tuple[float, float]:
     """Velocities along the normal and across it after an impact on a wall, by leapfrog.
 
     late: the point of the step whose stiffness and arm apply to the slip; 0.5 is of second order.
+    softens: whether the shear force falls with the stiffness where the contact unloads (Thornton).
     """
     inertia, arm, before, spring = 0.4 * one.mass * one.radius**2, one.radius, 0.0, 0.0
     out, across, spin = -vn, vt, 0.0
@@ -52,6 +53,8 @@ def _stepped(
         if deep <= 0.0:
             return out, across
         seen = before + late * (deep - before)
+        if softens and deep < before:
+            spring *= (deep / before) ** (law.p - 1.0)
         spring -= law.S * seen ** (law.p - 1.0) * (across + (arm - seen) * spin) * dt
         push = law.K * deep**law.p
         spring = math.copysign(min(abs(spring), law.mu * push), spring)
@@ -67,7 +70,7 @@ def _errors(
 ) -> list[float]:  # fmt: skip
     """Errors over the speed before the impact, at these numbers of steps in a unit of time [s]."""
     due = rebound(law, one, vn=start[0], vt=start[1])
-    found = [_stepped(law, one, *start, unit / n, late) for n in steps]
+    found = [stepped(law, one, *start, unit / n, late) for n in steps]
     return [math.dist(each, (due.normal, due.tangential)) / math.hypot(*start) for each in found]
 
 
