@@ -18,7 +18,7 @@ def slid(
     pushed = A * np.sin(2 * np.pi * f * dt * np.arange(steps + 1))
     down, up = (_drives(pushed, dip, xi, side * mu, g, level) for side in (1.0, -1.0))
     for n in range(steps):
-        way = np.sign(v) or (1.0 if down[n + 1] > 0.0 else -1.0 if up[n + 1] < 0.0 else 0.0)
+        way = np.sign(v) or int(down[n + 1] > 0.0) - int(up[n + 1] < 0.0)
         drive = down if way > 0 else up
         after = v + 0.5 * dt * (drive[n] + drive[n + 1]) if way else 0.0
         after = after if after * way > 0.0 else 0.0

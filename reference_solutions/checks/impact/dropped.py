@@ -24,7 +24,7 @@ def _until(
     event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
     found = solve_ivp(
         slope, (0.0, time), start, "DOP853", events=event, rtol=1e-13,
-        atol=[1e-14 * size for size in sizes], max_step=time / 20.0,
+        atol=[1e-14 * size for size in sizes],
     )  # fmt: skip
     return np.array([found.t[-1], *found.y[:, -1]])
 

@@ -22,6 +22,6 @@ def motion(
 
     found = solve_ivp(
         slope, (0.0, float(times[-1])), [0.0, v0], "DOP853", t_eval=times, rtol=1e-13,
-        atol=1e-18, max_step=float(times[-1]) / 200.0,
+        atol=1e-18,
     )  # fmt: skip
     return np.asarray(found.y[0]), np.asarray(found.y[1])

@@ -54,7 +54,7 @@ def impact(z: float, *, m: float, K: float, v: float) -> Impact:
     found = solve_ivp(
         slope, (0.0, 100.0 * size / v), [0.0, v, 0.0], "DOP853", events=events,
         rtol=1e-13, atol=[1e-15 * size, 1e-15 * v, 1e-16 * size**4 / v],
-        max_step=0.1 * size / v, first_step=1e-3 * size / v,
+        max_step=0.1 * size / v,
     )  # fmt: skip
     (end,), (high,), (low,) = (states[:1] for states in found.y_events)
     last = max(float(end[0]), 0.0) ** 4
