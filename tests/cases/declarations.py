@@ -13,7 +13,7 @@ import json
 import sys
 import warnings
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -37,10 +37,10 @@ def declared(case: Case, variant: Variant) -> Row | str:
     bodies = sum(map(len, trial.study.scene.bodies))
     if bodies > VAST:
         return LARGE
-    others = draws(case, variant.name) if bodies <= MANY else ()
+    others = [*draws(case, variant.name)] if bodies <= MANY else []
     with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
         drawn = {f"draw {i}": at(case, variant, one) for i, one in enumerate(others)}
-        return {**drawn, **dict(measured(trial))}
+        return {**drawn, **dict(measured(trial)), **measured_at(case, variant, others)}
 
 
 def draws(case: Case, variant: str) -> Iterator[Parameters]:
@@ -61,10 +61,21 @@ def at(case: Case, variant: Variant, parameters: Parameters) -> str:
     return hashlib.sha256(json.dumps(lines).encode()).hexdigest()[:8]
 
 
-def measured(trial: Trial) -> Iterator[tuple[str, str]]:
+def measured_at(case: Case, variant: Variant, others: Iterable[Parameters]) -> Row:
+    """What each quantity measures of a made-up run at the first parameters that are accepted."""
+    for parameters in others:
+        try:
+            trial = case.declare(variant.name, parameters)
+            return {f"drawn, {name}": text for name, text in measured(trial, SIZES[1:2])}
+        except (ValueError, ArithmeticError):
+            continue
+    return {}
+
+
+def measured(trial: Trial, sizes: Iterable[float] = SIZES) -> Iterator[tuple[str, str]]:
     """What each quantity measures of made-up runs."""
     ask = trial.study.ask(trial.study.rungs[Level.QUICK][0])
-    for part in SIZES:
+    for part in sizes:
         run = made_up(ask, part)
         for one in trial.quantities:
             yield f"{one.name}, {part:g}", _seen(one, run)
