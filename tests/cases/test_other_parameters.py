@@ -48,6 +48,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("dda", "masonry", "slides", {"f": 3.18, "duration": 0.451}, Knobs(1e-3, 1e9)),
         ("dda", "shear-wave", "20", NEAR_A_SWING, Knobs(1e-4, 1e12)),
         ("rigid", "shaken-fast", "5hz", SHAKEN, Knobs(5e-4)),
+        ("rigid", "rocking", "threshold", {"part": 1.02}, None),
     ],
 )
 def test_a_code_that_is_right_is_within_its_bounds(
