@@ -8,8 +8,9 @@ quicker findings are run by tests/findings. All of them take about 400 CPU secon
 import sys
 
 from bench.evidence import conclude
-from tests.support.findings import Answer, Row, Table, value
-from tests.support.grains import clear, outflow
+from tests.findings.figures import Answer, passes, value
+from tests.findings.grains import clear, outflow
+from tests.findings.table import Row, Table
 from vv.ask import Knobs
 from vv.case import Level
 
@@ -43,6 +44,10 @@ SLOW: Table = {
         Row(f"hopper:{one}-1", f"{code}/default", None, outflow(), -0.1, 0.1)
         for one in ("narrow", "wide")
         for code in ("yade", "liggghts")
+    ],
+    "every start is within it in `dem` and YADE": [
+        Row(f"column-collapse:seed-{seed}", "yade/default", None, passes("run-out"), 1, 1)
+        for seed in (1, 2, 3)
     ],
     "216 blocks that are shaken apart at 0.51 g take 30 ms of CPU a step in `dda`": [
         Row("masonry:shaken-200", "dda/default", None, cpu_of_a_step, 0.015, 0.045),

@@ -7,15 +7,8 @@ the last digit that is told on either side, or a few per cent.
 import numpy as np
 import pytest
 
-from tests.support.findings import (
-    Answer,
-    Row,
-    Table,
-    added_by_friction,
-    rows,
-    unaccounted,
-    value,
-)
+from tests.findings.figures import Answer, added_by_friction, unaccounted, value
+from tests.findings.table import Row, Table, rows
 from vv.ask import Knobs
 from vv.case import Level
 

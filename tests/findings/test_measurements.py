@@ -8,8 +8,9 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.support.findings import PROJECT, Row, Table, against, asked, each, measured_as, rows
-from tests.support.grains import clear, outflow, run_out, short
+from tests.findings.figures import PROJECT, against, asked, measured_as, passes
+from tests.findings.grains import clear, outflow, run_out, short
+from tests.findings.table import Row, Table, each, rows
 from tests.support.installed import require
 from vv.ask import Status
 from vv.insight.against_measurements import Compared, factor
@@ -96,6 +97,9 @@ FOUND: Table = {
     ],
     "Lube and others (2004), as cited by others, measured 1.22": [
         Row("column-collapse:seed-1", DEM, None, measured_as("run-out"), 1.215, 1.225),
+    ],
+    "every start is within it in `dem` and YADE": [
+        Row(start, DEM, None, passes("run-out"), 1, 1) for start in STARTS
     ],
     "the shortfall falls from 44 to 29 %": [
         Row("column-collapse:seed-1", DEM, None, short(), 0.435, 0.445),

@@ -7,8 +7,9 @@ import math
 
 import pytest
 
+from tests.findings.figures import PROJECT, asked, ends, value
+from tests.findings.table import Row, Table, each, rows
 from tests.references.impact.test_lagged_rules import ALUMINA, ON_GLASS, UNIT, stepped
-from tests.support.findings import PROJECT, Row, Table, asked, each, ends, rows, value
 from tests.support.installed import require
 from vv.ask import Knobs, Status
 from vv.case import Level

@@ -19,8 +19,9 @@ from tests.findings import (
     test_replicas,
     test_rigid_and_dem,
 )
+from tests.findings.figures import PROJECT
 from tests.findings.shown_elsewhere import BENCHES, SAID, TESTED
-from tests.support.findings import PROJECT, Row
+from tests.findings.table import Row
 from vv.case import Level
 from vv.cli import app
 from vv.plan.selection import choose_schemes, named_adapters, select

@@ -9,7 +9,8 @@ import math
 import pytest
 
 from reference_solutions.contact import single_contact
-from tests.support.findings import PROJECT, Row, Table, rows, value
+from tests.findings.figures import PROJECT, value
+from tests.findings.table import Row, Table, rows
 from vv.ask import Knobs
 from vv.case import Level
 

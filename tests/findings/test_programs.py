@@ -7,7 +7,8 @@ import math
 
 import pytest
 
-from tests.support.findings import PROJECT, Row, Table, against, each, ends, rows
+from tests.findings.figures import PROJECT, against, ends
+from tests.findings.table import Row, Table, each, rows
 from vv.ask import Knobs, Status
 from vv.case import Level
 

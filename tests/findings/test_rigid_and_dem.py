@@ -5,7 +5,8 @@ Keys, rows and bands are as in tests/findings/test_dda.py.
 
 import pytest
 
-from tests.support.findings import Answer, Row, Table, allowed, each, rows, value
+from tests.findings.figures import Answer, allowed, value
+from tests.findings.table import Row, Table, each, rows
 from vv.ask import Knobs
 
 RIGID, DEM, PUBLISHED = "rigid/default", "dem/default", "dem/published"

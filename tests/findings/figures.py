@@ -1,21 +1,18 @@
-"""Runs what the command of a finding runs: one variant, one scheme, one setting."""
+"""Runs what the command of a finding runs, and reads figures of the answer."""
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
-
-import pytest
 
 from bench.mutation.sensitivity import answer
-from tests.support.installed import require
 from vv.ask import Ask, Knobs, Ledger, Run, Status
 from vv.case import Level, Norm, Trial
 from vv.codes import Scheme
 from vv.plan.project import find
+from vv.records.outcomes import Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.record import measured
 
@@ -126,6 +123,11 @@ def measured_as(quantity: str) -> Figure:
     return figure
 
 
+def passes(quantity: str) -> Figure:
+    """1 where a quantity is within its tolerance or band."""
+    return lambda answer: float(answer.of(quantity).verdict is Verdict.PASS)
+
+
 def ends(status: Status) -> Figure:
     """1 where a run ends so."""
     return lambda answer: float(answer.run.status is status)
@@ -144,49 +146,3 @@ def added_by_friction(answer: Answer) -> float:
 def of_peak(figure: Figure) -> Figure:
     """An energy over the largest of the run."""
     return lambda answer: figure(answer) / answer.ledger.peak
-
-
-class Row(NamedTuple):
-    """What shows a figure: a variant and changes of it, a scheme, a setting, and a band.
-
-    what: a function of the answer, or the name of a quantity whose error is meant.
-    """
-
-    name: str
-    scheme: str
-    at: Knobs | Level | None
-    what: str | Figure
-    low: float
-    high: float
-
-    def found(self) -> float:
-        """The figure as it is now."""
-        figure = error(self.what) if isinstance(self.what, str) else self.what
-        return figure(asked(self.name, self.scheme, self.at))
-
-    def holds(self) -> bool:
-        """Whether the figure is within its band."""
-        return self.low <= self.found() <= self.high
-
-    def check(self) -> None:
-        """Fail if the figure is outside its band; skip where the code is not installed."""
-        require(PROJECT.load_adapter(self.scheme.partition("/")[0]))
-        assert self.low <= self.found() <= self.high
-
-
-Table = Mapping[str, Sequence[Row]]  # words of docs/findings.md, and what shows them
-
-
-def rows(table: Table) -> list[object]:
-    """The parameters of a test of all rows of a table."""
-    return [
-        pytest.param(row, id=f"{told}: {row.name} {row.scheme} {row.at}")
-        for told, group in table.items()
-        for row in group
-    ]
-
-
-def each(schemes: str, row: Sequence[object]) -> tuple[Row, ...]:
-    """The same row for several schemes, CODE/SCHEME,...; the row is without its scheme."""
-    name, *others = row
-    return tuple(Row(name, scheme, *others) for scheme in schemes.split(","))  # type: ignore[arg-type]

@@ -10,7 +10,7 @@ from cases.bulk import column_collapse, hopper
 from cases.bulk.column_collapse import TALL, _edge
 from reference_solutions.bulk import column
 from reference_solutions.bulk.hopper import across, rate
-from tests.support.findings import Answer, Figure, measured_as
+from tests.findings.figures import Answer, Figure, measured_as
 from vv.ask import Displacement
 from vv.scene import Vector
 
