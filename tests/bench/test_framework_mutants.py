@@ -139,6 +139,11 @@ def test_a_mutant_is_seen_on_import_if_tests_pass_without_it_and_not_with_it(
         assert (tmp_path / FILE).read_text() == original
 
 
+def test_a_mutant_that_no_test_runs_at_all_survives() -> None:
+    one = named("one.error / one.tolerance")
+    assert Asked(Path("nowhere"), {}, {}, LONGEST).red_on_import(one) is None
+
+
 def test_what_runs_on_import_is_told_from_what_runs_when_called() -> None:
     every = list(mutants("vv", "vv/scene/*", EVERY))
     on_import = {one.what for one in every if not one.when_called}
