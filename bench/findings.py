@@ -40,8 +40,8 @@ SLOW: Table = {
     "With its clear width alone they would be 20 and 9 % too fast": [
         Row("hopper:wide-1", DEM, None, outflow(clear), 0.085, 0.095),
     ],
-    "and to 10 % in YADE and LIGGGHTS": [
-        Row(f"hopper:{one}-1", f"{code}/default", None, outflow(), -0.1, 0.1)
+    "and to 5 % in YADE and LIGGGHTS": [
+        Row(f"hopper:{one}-1", f"{code}/default", None, outflow(), -0.05, 0.05)
         for one in ("narrow", "wide")
         for code in ("yade", "liggghts")
     ],
