@@ -143,6 +143,22 @@ def test_decimal_units_change_no_more_than_rounding_does(
     assert apart(one, other, DECIMAL) <= max(1e-12, 30 * EPS * _places(here, one), 30 * rounded)
 
 
+@pytest.mark.parametrize("units", [DECIMAL, (1e3, 1.0, 1.0), (1.0, 1e3, 1.0), *ROUNDED_ANEW])
+def test_rigid_bears_a_wedge_in_a_groove_of_1e_6_rad_alike_in_all_units(
+    units: tuple[float, float, float],
+) -> None:
+    """Contacts press with 1e6 times its weight, which rounds velocities by more than is asked.
+
+    The bound is twice what the residual asked leaves where it is met.
+    """
+    case = PROJECT.load_case("wedge")
+    study = case.declare("xi-1e-06", case.defaults("xi-1e-06")).study
+    here = study.ask(Knobs(1e-2, 1e9))
+    one, other = (rigid.solve(ask) for ask in (here, in_units(here, units)))
+    assert one.status is other.status is Status.RAN
+    assert apart(one, other, units) <= 1.2e-6
+
+
 def apart(one: Run, other: Run, units: tuple[float, ...]) -> float:
     """How far a run in other units is off, over the largest value of each kind."""
     there = values(other, units)

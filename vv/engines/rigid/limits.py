@@ -94,6 +94,12 @@ OUTER, INNER = 20, 12
 """Largest numbers of Newton rounds, after each of which impulses are updated, and of iterations for
 the velocities in each round."""
 
+BLURRED = 2.0**-50
+"""Residual over the velocity that the largest impulse of a contact gives it: below, the residual is
+rounding, that of a sum of a few such velocities. In a groove of 1e-6 rad impulses of such a
+residual may be wrong by 1e-3.
+"""
+
 STIFF, SOFT = 1e3, 10.0
 """Stiffness of contacts over inertia in the first Newton round, and in that of a large scene where
 sweeps are stuck; it grows tenfold with each round. In large scenes many slips change in a round:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import clear, in_order, rows, same_rows, smaller
+from vv.engines.kernels.arrays import clear, in_order, larger, rows, same_rows, smaller
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import add_scaled, at
+from vv.engines.kernels.triples import add_scaled, at, dot
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.limits import (
+    BLURRED,
     CARRIED,
     CHAIN,
     ENOUGH,
@@ -199,9 +200,14 @@ def polish(
     """Improve p (c, 3), whose effect is in v, w, by Newton rounds; return the residual [m/s].
 
     left: the residual at the start; place: see `band_ordering`; stiffness: of the first round. A
-    round that does not reduce the residual is undone, and the next one is less stiff.
+    round that does not reduce the residual is undone, and the next one is less stiff, unless what
+    is left is rounding: stiffer rounds then still improve impulses in a narrow groove.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
+    rounding = 0.0
+    for c in range(len(p)):
+        push = np.sqrt(dot(at(p, c), at(p, c)))
+        rounding = larger(rounding, BLURRED * joints.across[c] * push)
     for _ in range(OUTER):
         if left <= tolerance or stiffness < 1.0:
             break
@@ -212,7 +218,7 @@ def polish(
         for c in range(len(p)):
             apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)
-        if met and now < left:
+        if met and (now < left or now <= rounding):
             left, stiffness = now, 10.0 * stiffness
         else:
             copy_rows(p, before)
