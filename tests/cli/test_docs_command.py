@@ -81,6 +81,7 @@ def test_of_the_scenes_of_a_case_each_is_drawn_once_and_no_more_than_four(
     monkeypatch.setattr("vv.run.case_facts.case_facts", lambda *_: None)
     monkeypatch.setattr("vv.output.gallery.case_page.CasePage", page)
     monkeypatch.setattr("vv.output.gallery.declared_numbers.numbers", lambda *_: {})
+    monkeypatch.setattr("vv.output.gallery.numbers_page.numbers_page", lambda *_: "the numbers")
     monkeypatch.setattr("vv.cli.docs_command._drawing", lambda one: f"<svg {one}>" if one else "")
     monkeypatch.setattr("vv.cli.docs_command._answers", lambda *_: {})
     files = case_pages(project, ["fall"])
@@ -88,6 +89,7 @@ def test_of_the_scenes_of_a_case_each_is_drawn_once_and_no_more_than_four(
     assert shown == {variant: f"fall-{variant}.svg" for variant in drawn}
     assert files == {
         Path("cases/fall.md"): "the page",
+        Path("cases/fall-numbers.md"): "the numbers",
         **{Path(f"cases/fall-{variant}.svg"): f"<svg {one}>" for variant, one in drawn.items()},
     }
 

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from vv.output.gallery.case_page import CasePage
+from vv.output.gallery.numbers_page import numbers_page
 
 RUNS = "[dem](../codes/dem.md) (default)"
 
@@ -16,7 +17,7 @@ def said(**answers: int | str) -> list[str]:
     """The lines on schemes of variant T1; names: CODE__SCHEME."""
     nothing: Any = None
     rows = {name.replace("__", "/"): {"T1": answer, "T2": 1} for name, answer in answers.items()}
-    page = CasePage(nothing, "family", nothing, {}, {**rows, "late/default": {"T2": 1}}, {})
+    page = CasePage(nothing, "family", nothing, {}, {**rows, "late/default": {"T2": 1}}, "")
     return [line for line in page._schemes(["T1", "T2"]) if line]
 
 
@@ -45,11 +46,11 @@ def test_schemes_that_run_a_variant_stand_before_those_that_do_not_with_the_reas
 
 
 def test_variants_after_the_first_show_the_numbers_in_which_they_differ_from_it() -> None:
-    one: Any = SimpleNamespace(name="fall")
     own = {"T1": {"g": "9.81", "mu": "0.5"}, "T2": {"g": "9.81", "m": "2"}}
-    lines = [*CasePage(one, "family", one, {}, {}, own)._numbers()]
-    blocks = "\n".join(lines).split("```\n")
+    case: Any = SimpleNamespace(name="fall")
+    blocks = numbers_page(case, own).split("```\n")
+    assert blocks[0].startswith("# Numbers of fall\n")
     assert "`T1`:" in blocks[0]
     assert blocks[1] == "g: 9.81\nmu: 0.5\n"
     assert "`T2`:" in blocks[2]
-    assert blocks[3].splitlines() == ["m: 2", "mu: none", "```"]
+    assert blocks[3].splitlines() == ["m: 2", "mu: none"]

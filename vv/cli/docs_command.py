@@ -81,6 +81,7 @@ def case_pages(project: Project, names: Sequence[str]) -> Files:
 def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
     from vv.output.gallery.case_page import CasePage
     from vv.output.gallery.declared_numbers import numbers
+    from vv.output.gallery.numbers_page import numbers_page
     from vv.plan.plan import Options
     from vv.plan.planning import make_plan
     from vv.run.case_facts import case_facts
@@ -101,9 +102,11 @@ def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
         case_facts(case, plan),
         drawn,
         _answers(project, case),
-        {variant.name: numbers(case, variant) for variant in case.variants},
+        f"{name}-numbers.md",
     )
     yield Path("cases", f"{name}.md"), page.text()
+    declared = {variant.name: numbers(case, variant) for variant in case.variants}
+    yield Path("cases", f"{name}-numbers.md"), numbers_page(case, declared)
     for text, file in scenes.items():
         yield Path("cases", file), text
 

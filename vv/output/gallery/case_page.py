@@ -1,4 +1,4 @@
-"""The page of a case: drawings, source, variants, formulas, tolerances, schemes, all numbers."""
+"""The page of a case: drawings, source, variants, formulas, tolerances, schemes."""
 
 from __future__ import annotations
 
@@ -6,17 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from vv.case import Case
-from vv.output.gallery.declared_numbers import Lines, differing
 from vv.output.gallery.markup import cell, code, listed_codes, table
 from vv.records.case_facts import CaseFacts, QuantityFacts, VariantFacts
 
 Answers = Mapping[str, Mapping[str, int | str]]  # scheme -> variant -> unknowns, or why not
-NUMBERS = (
-    "What the first variant declares, and what differs from it in the others: settings at each "
-    "level, bounds, exact answers (of a history at the start, half-way and at the end) and the "
-    "scene, in SI units. Of more than six numbers the range and the means are given. What is zero, "
-    "or has its usual value, is left out."
-)
 
 
 @dataclass(frozen=True)
@@ -24,8 +17,8 @@ class CasePage:
     """The data of a page.
 
     facts: of the variants that are described in full. drawings: variant -> file of its drawing,
-    beside the page. answers: which schemes run it, as accepted with its results. numbers: variant
-    -> all numbers that it declares.
+    beside the page. answers: which schemes run it, as accepted with its results. numbers: the file
+    of all numbers that its variants declare, beside the page.
     """
 
     case: Case
@@ -33,13 +26,11 @@ class CasePage:
     facts: CaseFacts
     drawings: Mapping[str, str]
     answers: Answers
-    numbers: Mapping[str, Lines]
+    numbers: str
 
     def text(self) -> str:
         """The page, as Markdown."""
-        return "\n".join(
-            [*self._head(), *self._variants(), *self._sections(), *self._numbers(), ""]
-        )
+        return "\n".join([*self._head(), *self._variants(), *self._sections(), ""])
 
     def _head(self) -> Iterator[str]:
         case, source = self.case, self.case.source
@@ -57,7 +48,8 @@ class CasePage:
         yield from table(("variant", "from level", "what it is"), rows)
         yield from ("", "Run one of them, or all:", "", "```")
         yield f"vv run {self.case.name}:{self.case.variants[0].name}"
-        yield from (f"vv run {self.case.name}", "```")
+        yield from (f"vv run {self.case.name}", "```", "")
+        yield f"[All numbers]({self.numbers}) that the variants declare are on a page of their own."
 
     def _sections(self) -> Iterator[str]:
         for names in alike(self.facts.variants):
@@ -72,17 +64,6 @@ class CasePage:
             for quantity in first.quantities:
                 yield from _judged(quantity)
             yield from self._schemes(names)
-
-    def _numbers(self) -> Iterator[str]:
-        first: Lines = {}
-        if self.numbers:
-            yield from ("", "## Numbers", "", NUMBERS)
-        for name, lines in self.numbers.items():
-            shown = differing(lines, first) if first else lines
-            first = first or lines
-            yield from ("", f"{code(name)}:", "", "```")
-            yield from (f"{what}: {text}" for what, text in shown.items())
-            yield "```"
 
     def _parameters(self, name: str, facts: VariantFacts) -> Iterator[str]:
         values = self.case.defaults(name)
