@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 from unittest import mock
+
+import pytest
 
 from tests.support.fabricated import manifest_of_all, requantified
 from vv.case import Norm
 from vv.insight.history import history
-from vv.insight.past_runs import PastRuns
+from vv.insight.past_runs import PastRuns, digest_of
 from vv.records.manifest import Manifest, Provenance
 from vv.store.manifests import Manifests
 from vv.store.store import Store
@@ -70,3 +74,20 @@ def test_runs_have_a_key_only_where_each_of_them_is_stored_and_one_of_its_own(
 
 def elsewhere(manifest: Manifest) -> Provenance:
     return dataclasses.replace(manifest.provenance, commit="another")
+
+
+@pytest.mark.parametrize(
+    ("damaged", "stored", "kept"),
+    [(False, "abc", True), (True, "abc", False), (False, "", False), (True, "", False)],
+)
+def test_figures_are_stored_of_records_that_are_stored_and_can_be_read(
+    damaged: bool, stored: str, kept: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    known: list[object] = []
+    store: Any = SimpleNamespace(
+        facts=lambda kind, key: None, keep_facts=lambda key, what: known.append(what)
+    )
+    runs = PastRuns(store, {}, print, held={"run": {"bounce": stored}})
+    monkeypatch.setattr(PastRuns, "_records", lambda self, name, case: None if damaged else ())
+    assert runs.digest("run", "bounce") == digest_of(())
+    assert known == [digest_of(())] * kept
