@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 
 from tests.engines.rigid.test_momentum import pile
+from tests.scenes.blocks.block_scenes import HELD, incline
 from vv.engines.rigid.general import events
 from vv.engines.rigid.general.events import may_slip, mean_forces, past_after, slowest_slip
-from vv.engines.rigid.limits import BEGINS, CLOSE, GLIMPSE, GRIP
+from vv.engines.rigid.limits import BEGINS, CLOSE, GLIMPSE, GRIP, VEERED
+from vv.engines.rigid.point.model import point
+from vv.engines.rigid.point.trial import Ground, slip_turns
 from vv.engines.rigid.solver.assembly import Joints
 from vv.scene import Vector
 
@@ -161,3 +164,26 @@ def test_a_slip_begins_within_a_part_of_a_step_of_where_it_is_said_to(
         assert 0.0 <= starts - found <= 0.5**BEGINS
     else:
         assert found == lasts
+
+
+def _turns(ground: Ground, angle: float) -> bool:
+    after = (2.0 * np.cos(angle), 2.0 * np.sin(angle), 0.0)
+    return slip_turns(ground, 0.0, 1e-3, (3.0, 0.0, 0.0), after)
+
+
+@pytest.mark.parametrize(
+    ("angle", "turns"),
+    [
+        (0.98 * np.arcsin(VEERED**0.5), False),
+        (1.02 * np.arcsin(VEERED**0.5), True),
+        (np.pi, False),
+        (np.pi - 1e-3, True),
+    ],
+)
+def test_slip_turns_by_more_than_an_angle_unless_it_reverses_along_its_line(
+    angle: float, turns: bool
+) -> None:
+    model = point(incline(20, 30, free_spin=HELD))
+    assert model is not None
+    kernel: Any = numba.njit(_turns)
+    assert kernel(model.arguments(1e-3)[1], angle) is turns
