@@ -96,7 +96,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
     def path(t: Vector) -> Vector:
         theta = toppling.angle(t, theta0=p["theta"], lam=lam)
-        fallen = np.stack([0 * theta, -np.sin(theta), np.cos(theta)], axis=1)
+        fallen = np.stack([np.zeros_like(theta), -np.sin(theta), np.cos(theta)], axis=1)
         return np.asarray(height * (fallen - fallen[0]))
 
     motion = Motion(PRISM, scene.axes, path, goal.times(None), "m")
