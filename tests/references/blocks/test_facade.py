@@ -35,6 +35,19 @@ def test_its_areas_are_those_of_its_blocks(size: tuple[int, int]) -> None:
     assert facade.areas(*size, LENGTH, HEIGHT) == pytest.approx((laid, arched), rel=1e-13)
 
 
+@pytest.mark.parametrize(
+    ("size", "gaps"),
+    [((8, 11), [(2.0, 0, 3)]), ((8, 12), [(3.0, 0, 7), (2.0, 9, 12)])],
+)
+def test_from_twelve_courses_on_a_door_is_higher_and_wider_and_has_a_window_above(
+    size: tuple[int, int], gaps: list[tuple[float, int, int]]
+) -> None:
+    for course in range(size[1]):
+        row = [(a, b) for c, a, b in facade.courses(*size, 1.0) if c == course]
+        open_ = 2 * min(max(a, 0.0) for a, b in row if b > 0.0)  # blocks, about the middle
+        assert open_ == sum(width for width, low, top in gaps if low <= course < top), course
+
+
 @pytest.mark.parametrize("size", SIZES)
 def test_it_is_symmetric(size: tuple[int, int]) -> None:
     middles = {tuple(np.round(check.centroid(one), 9) + 0.0) for one in blocks(*size)}
