@@ -68,6 +68,33 @@ def stored(monkeypatch: pytest.MonkeyPatch, **manifests: Any) -> None:
     monkeypatch.setattr("vv.store.store.Store", lambda _: SimpleNamespace(manifests=kept))
 
 
+@pytest.mark.parametrize(
+    ("kept", "name", "said"),
+    [
+        (["one", "two"], "one", "the manifest one"),
+        (["one", "two"], "", "the manifest two"),
+        (["one"], "three", "no run 'three'"),
+        ([], "one", "no run 'one'"),
+        ([], "", "there is no run yet"),
+    ],
+)
+def test_a_report_is_of_the_run_of_a_name_or_of_the_latest(
+    kept: list[str], name: str, said: str
+) -> None:
+    manifests = SimpleNamespace(
+        names=lambda: kept,
+        read=lambda name: f"the manifest {name}",
+        latest=lambda: f"the manifest {kept[-1]}",
+    )
+    store: Any = SimpleNamespace(manifests=manifests)
+    if said.startswith("the manifest"):
+        manifest: Any = report_command._manifest(store, name)
+        assert manifest == said
+    else:
+        with pytest.raises(UsageError, match=said):
+            report_command._manifest(store, name)
+
+
 def test_papers_are_compared_with_results_that_ran_with_their_own_parameters(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -5,6 +5,9 @@ import os
 import shutil
 import subprocess
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+from unittest import mock
 
 import pytest
 
@@ -12,6 +15,7 @@ from tests.conftest import Tiny
 from tests.support.fabricated import record
 from vv.ask import Status
 from vv.records.finding import Bit
+from vv.run import reuse
 from vv.run.reuse import is_reusable
 
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
@@ -304,3 +308,26 @@ def test_a_gate_leaves_the_report_to_its_command_and_says_so(tiny: Tiny) -> None
     assert tiny.vv("report").stdout == f"{report}\n"
     (own,) = (path.stem for path in (tiny.root / ".vv" / "manifests").iterdir())
     assert own in report.read_text()
+
+
+@pytest.mark.parametrize(
+    ("fates", "untimed", "kept"),
+    [
+        (["ran", "refused"], (), True),
+        (["ran", "error"], (), False),
+        (["error", "ran"], (), False),
+        (["ran"], ("a gap",), False),
+    ],
+)
+def test_an_answer_is_remembered_unless_a_job_crashed_or_was_to_be_timed(
+    fates: list[str], untimed: tuple[str, ...], kept: bool
+) -> None:
+    remembered: list[str] = []
+    store: Any = SimpleNamespace(
+        state=lambda: "state", keep_answer=lambda key, answer: remembered.append(answer.manifest)
+    )
+    records = [record("a/a", "T1", 1e-3, status=fate) for fate in fates]
+    manifest: Any = SimpleNamespace(records=records, untimed=untimed, name="run")
+    with mock.patch.object(reuse, "_key", return_value="key"):
+        reuse.remember(store, "identity", manifest)
+    assert remembered == ["run"] * kept

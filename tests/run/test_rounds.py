@@ -12,7 +12,7 @@ from vv.ask import Ask, Cost, Run, Status
 from vv.codes.adapter import Adapter
 from vv.run import rounds
 from vv.run.process import Batch
-from vv.run.rounds import DRIFT, ENOUGH, Timed
+from vv.run.rounds import ENOUGH, Timed
 
 SURE, UNSURE = Cost(solve_cpu=12.0, repeats=ENOUGH), Cost(solve_cpu=12.0, repeats=ENOUGH - 1)
 FAILED = Run(Status.ERROR, "lost", cost=SURE)
@@ -96,7 +96,7 @@ def test_only_what_was_repeated_too_little_or_failed_is_measured_again(session: 
 def test_a_batch_beside_which_the_machine_was_slower_is_measured_again_as_a_whole(
     session: Session, when: str
 ) -> None:
-    slow, fair = 1.01 * DRIFT, 0.99 * DRIFT
+    slow, fair = 1.11, 1.09  # a tenth is the limit
     beside = [slow, 1.0] if when == "before" else [1.0, slow]
     batches = {"a": {1: _ran(SURE), 2: _ran(SURE)}, "b": {3: _ran(SURE)}}
     session.timed(batches, [*beside, fair, 1.0, 1.0, 1.0])
@@ -107,7 +107,7 @@ def test_a_batch_whose_worker_died_is_told_beside_all_calibrations_since_it_bega
     session: Session,
 ) -> None:
     batches = {"a": {1: _ran(SURE), 2: _ran(SURE)}, "b": {3: _ran(SURE)}, "c": {4: _ran(SURE)}}
-    units = [2.0 * 1.01 * DRIFT, *[2.0] * 5, *[2.0] * 4]  # slow before a, and so before b
+    units = [2.0 * 1.11, *[2.0] * 5, *[2.0] * 4]  # slow before a, and so before b
     found = session.timed(batches, units, late=[2])
     assert [one[:2] for one in session.visited[3:]] == [("b", (3,)), ("a", (1, 2))]
     assert [number for number, *_ in found] == [3, 4, 1, 2, 3, 1, 2]
