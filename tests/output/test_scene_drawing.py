@@ -13,7 +13,7 @@ from vv.output.gallery.scene_drawing import HEIGHT, WIDTH, drawing, picture
 from vv.plan.project import find
 from vv.scene import Contact, Scene, Spheres, Wall
 from vv.scene.picture.sketch import MOST, Arrow, Sketch, sketch
-from vv.scene.picture.view import plane
+from vv.scene.picture.view import OBLIQUE, plane
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -162,3 +162,7 @@ def test_several_shakings_have_one_name_and_a_tiny_sphere_is_seen() -> None:
     assert sum(">shaking</text>" in one for one in made) == 1
     assert sum('class="arrow' in one for one in made) == 2
     assert made[0] == '<circle class="body" cx="140" cy="104" r="0.8"/>'
+
+
+def test_an_oblique_view_turns_a_scene_and_does_not_distort_it() -> None:
+    assert pytest.approx(np.eye(2), abs=0.01) == OBLIQUE @ OBLIQUE.T
