@@ -130,7 +130,8 @@ class PreparedRigidBlocks:
         audits = {"residual of contact [m/s]": (residual, CONVERGED * scales(self.ask.scene).speed)}
         left = self._left_by_contacts()
         if left > 0.0 and self.system.closes:  # residuals exchange energy between terms
-            audits["energy beyond rounding [J]"] = (unaccounted, rounding)
+            cancelling = EPS * left  # works of contacts on both sides of a groove are rounded too
+            audits["energy beyond rounding [J]"] = (unaccounted, rounding + cancelling)
         if isinstance(self.system, Point):
             lost = np.diff(terms[:, 1] + terms[:, 2])
             audits["energy created [J]"] = (float(-lost.clip(max=0.0).sum()), rounding)
