@@ -68,35 +68,22 @@ Figure = Callable[[Answer], float]
 
 def error(quantity: str) -> Figure:
     """The largest error of a quantity."""
-
-    def figure(answer: Answer) -> float:
-        found = answer.of(quantity).errors[Norm.MAX]
-        assert found is not None
-        return found
-
-    return figure
+    return lambda answer: _there(answer.of(quantity).errors[Norm.MAX])
 
 
 def value(quantity: str) -> Figure:
     """The value of a quantity."""
-
-    def figure(answer: Answer) -> float:
-        found = answer.of(quantity).value
-        assert found is not None
-        return found
-
-    return figure
+    return lambda answer: _there(answer.of(quantity).value)
 
 
 def allowed(quantity: str) -> Figure:
     """The tolerance of a quantity."""
+    return lambda answer: _there(answer.of(quantity).tolerance)
 
-    def figure(answer: Answer) -> float:
-        found = answer.of(quantity).tolerance
-        assert found is not None
-        return found
 
-    return figure
+def _there(found: float | None) -> float:
+    assert found is not None
+    return found
 
 
 def against(quantity: str) -> Figure:

@@ -1,8 +1,10 @@
 """Claims about docs/findings.md: each figure is in words that a run, a test or a source shows."""
 
+import importlib
 import re
 import shlex
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from typer.core import TyperGroup
@@ -10,15 +12,6 @@ from typer.main import get_command
 
 from bench.findings import SLOW
 from tests import ROOT
-from tests.findings import (
-    test_dda,
-    test_measurements,
-    test_other_programs,
-    test_papers,
-    test_programs,
-    test_replicas,
-    test_rigid_and_dem,
-)
 from tests.findings.figures import PROJECT
 from tests.findings.shown_elsewhere import BENCHES, SAID, TESTED
 from tests.findings.table import Row
@@ -30,15 +23,9 @@ PAGE = (ROOT / "docs" / "findings.md").read_text()
 BULLETS = [line[2:] for line in PAGE.splitlines() if line.startswith("- ")]
 QUOTED = re.compile(r"`([^`]+)`")
 FIGURE = re.compile(r"(?<![\w.^-])\d")
-MODULES = (
-    test_dda,
-    test_measurements,
-    test_other_programs,
-    test_papers,
-    test_programs,
-    test_replicas,
-    test_rigid_and_dem,
-)
+HERE = Path(__file__)
+TABLES = sorted(path.stem for path in HERE.parent.glob("test_*.py") if path != HERE)
+MODULES = [importlib.import_module(f"tests.findings.{name}") for name in TABLES]
 RUN = [(told, row) for one in MODULES for told, group in one.FOUND.items() for row in group]
 ROWS = [row for _, row in RUN] + [row for group in SLOW.values() for row in group]
 TOLD = [*(told for told, _ in RUN), *SLOW, *TESTED, *BENCHES, *SAID]

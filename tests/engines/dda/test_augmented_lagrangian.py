@@ -16,6 +16,7 @@ from tests.scenes.blocks.dda_scenes import (
     G,
     asked,
     box,
+    closes,
     moved,
     rates,
     run,
@@ -54,18 +55,6 @@ def wedge(xi: float, dip: float, held: float, knobs: Knobs) -> Ask:
 def deepest(done: Run) -> float:
     assert done.ledger is not None
     return done.ledger.audits["penetration [m]"][0]
-
-
-def closes(done: Run) -> None:
-    """The energy balance holds, no audit is exceeded, and no part of a step remains unconverged."""
-    ledger = done.ledger
-    assert ledger is not None
-    assert ledger.bound is not None
-    assert ledger.unaccounted <= ledger.bound
-    for law, (seen, allowed) in ledger.audits.items():
-        assert seen <= allowed, law
-    assert done.model is not None
-    assert " 0 parts of steps kept unconverged" in done.model.note
 
 
 RESTING = {

@@ -111,3 +111,15 @@ def stack(free_spin: Mask) -> Scene:
 def watching(scene: Scene, bodies: tuple[int, ...], duration: float) -> Ask:
     what = tuple(Velocity(body) for body in bodies)
     return Ask(scene, History(duration, 0.01), what, Knobs(1e-3, 1e8))
+
+
+def closes(done: Run) -> None:
+    """The energy balance holds, no audit is exceeded, and no part of a step remains unconverged."""
+    ledger = done.ledger
+    assert ledger is not None
+    assert ledger.bound is not None
+    assert ledger.unaccounted <= ledger.bound
+    for law, (seen, allowed) in ledger.audits.items():
+        assert seen <= allowed, law
+    assert done.model is not None
+    assert " 0 parts of steps kept unconverged" in done.model.note

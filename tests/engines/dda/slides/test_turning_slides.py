@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from reference_solutions.blocks.responding_block import one_direction
-from tests.scenes.blocks.dda_scenes import DOWN, FLOOR, G, box, run
+from tests.scenes.blocks.dda_scenes import DOWN, FLOOR, G, box, closes, run
 from vv.ask import Ask, Displacement, History, Knobs, Run, Velocity
 from vv.engines.dda import BORNE
 from vv.scene import Contact, Harmonic, Scene, Vector, Wall
@@ -57,16 +57,6 @@ def test_so_does_one_in_the_corner_of_two_walls(turns: float) -> None:
     """The second wall stands along the dip, and carries nothing."""
     walls = *SLOPING, Wall(-0.3 * ACROSS, ACROSS)
     assert speed(thrown_up(walls, turns), 2) == pytest.approx(mid_step(turns), rel=1e-9)
-
-
-def closes(done: Run) -> None:
-    """Energy is balanced within its bound, and every law that is promised holds."""
-    ledger = done.ledger
-    assert ledger is not None
-    assert ledger.bound is not None
-    assert ledger.unaccounted <= ledger.bound
-    for law, (seen, allowed) in ledger.audits.items():
-        assert seen <= allowed, law
 
 
 def test_friction_gives_no_energy_where_it_drives_a_block_back() -> None:
