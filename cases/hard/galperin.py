@@ -26,6 +26,7 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
 RADIUS = 0.1  # m; does not enter the answer
 LIGHT, HEAVY = Velocity(1), Velocity(2)
+DEEPEST = 0.1  # overlap over the radius, beyond which contacts are not taken for such
 X = np.array([1.0, 0.0, 0.0])
 BEYOND = 1.1  # of the time of the last collision between hard bodies: springs delay it
 # outputs in the shortest time between two collisions; those of one pair are twice as far apart
@@ -58,6 +59,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(
             f"kn = {p['kn']!r} N/m; a contact would last {touch:.3g} s, and must be shorter than "
             f"the {shortest:.3g} s between two collisions"
+        )
+    depth = p["v"] * math.sqrt(_masses(p)["M"] / p["kn"])
+    if not depth <= DEEPEST * RADIUS:
+        raise ValueError(
+            f"kn = {p['kn']!r} N/m; the light ball, when it has all energy, would overlap the wall "
+            f"by {depth:.3g} m; at most a tenth of its radius is allowed"
         )
     goal = History(end, shortest / SAMPLES)
     levels = {

@@ -10,6 +10,7 @@ from vv.plan.project import find
 @pytest.mark.parametrize(
     ("case", "variant", "given", "words"),
     [
+        ("galperin", "31", {"m": 1.76}, "overlap the wall by 0.0105 m; at most a tenth"),
         ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the speed must not be 0"),
         ("slow-slide", "level", {"v0": 0.0}, "the block must move, and friction must stop it"),
         ("slow-slide", "slope", {"mu": 0.01}, "the block must move, and friction must stop it"),
