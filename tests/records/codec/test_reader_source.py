@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from vv.base.reader_source import class_reader, mapping_reader
+from vv.records.codec.reader_source import class_reader, mapping_reader
 
 
 @dataclass(frozen=True)
