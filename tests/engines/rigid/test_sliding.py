@@ -15,7 +15,7 @@ from reference_solutions.blocks import responding_block as responds
 from tests.scenes.blocks.block_scenes import FREE, HELD, incline, responding, slope
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import rigid
-from vv.engines.rigid import PreparedRigidBlocks
+from vv.engines.rigid import PreparedRigidBlocks, slip
 from vv.engines.rigid.general import events
 from vv.engines.rigid.general.model import Space
 from vv.engines.rigid.limits import CLOSE
@@ -212,30 +212,40 @@ def test_a_block_that_may_turn_slides_as_one_that_may_not() -> None:
     assert apart <= 1e-7  # where slip begins is found to 1/256 of a step; dt itself costs 2e-6
 
 
+@pytest.mark.parametrize("bent", [0.0, 0.01, 0.2, -0.2, 1.0])
 @pytest.mark.parametrize("ends", [0.13, 0.3, 0.8, 0.98])
 @pytest.mark.parametrize("dt", [1e-4, 1e-2])
-def test_where_a_slip_that_slows_evenly_ends_is_found_in_few_trials(
-    monkeypatch: pytest.MonkeyPatch, dt: float, ends: float
+def test_where_a_slip_ends_is_found_in_few_trials_however_its_deceleration_changes(
+    monkeypatch: pytest.MonkeyPatch, dt: float, ends: float, bent: float
 ) -> None:
-    """Halving alone would take 28; guesses by the deceleration take at most half as many."""
+    """Halving alone would take 28; trials that end too late have no speed to guess from."""
     tried: list[float] = []
+    zero_after: Any = slip.zero_after
+    first_root: Any = slip.first_root
+    monkeypatch.setattr(slip, "first_root", first_root.py_func)
+
+    def left(t: float) -> float:
+        return ends - t + 0.5 * bent * (ends**2 - t**2)
 
     def attempt(*given: Any) -> Any:
         tried.append(given[3] / dt)
-        speed = np.full((1, 3), ends - tried[-1])
-        return SimpleNamespace(v=speed, w=None, ended=speed <= 0.0, gaps=SimpleNamespace(slack=0))
+        speed = np.full((1, 3), left(tried[-1]))
+        ended = speed <= 0.0
+        stuck = np.where(ended, 0.0, speed)
+        return SimpleNamespace(v=stuck, w=None, ended=ended, gaps=SimpleNamespace(slack=0))
 
     replaced = {
         "attempt": attempt,
         "marked": np.any,
         "rates": lambda *_: None,
-        "zero_rows": lambda rows: np.full((rows, 3), ends),
+        "zero_rows": lambda rows: np.full((rows, 3), left(0.0)),
         "slowest_slip": lambda trial, v, w: v[0, 0],
         "least_impact_speed": lambda *_: np.inf,
+        "zero_after": zero_after.py_func,
     }
     for name, one in replaced.items():
         monkeypatch.setattr(events, name, one)
     search: Any = events.time_to_slip_end
     low = search.py_func(None, None, None, 0.0, dt, dt, None, attempt(0, 0, 0, dt)) / dt
     assert 0.0 <= ends - low <= CLOSE
-    assert len(tried) <= 14
+    assert len(tried) <= (9 if bent == 0.0 else 14)

@@ -78,3 +78,15 @@ def first_root(a: float, b: float, c: float) -> float:
     if b < 0.0:
         return 2.0 * a / (np.sqrt(square) - b) if square >= 0.0 else np.inf
     return (b + np.sqrt(square)) / (-2.0 * c) if c < 0.0 else np.inf
+
+
+@lent
+def zero_after(t0: float, f0: float, t1: float, f1: float, t2: float, f2: float) -> float:
+    """The first zero after t2 of the parabola through three points, t0 <= t1 < t2, or infinity.
+
+    f2 >= 0. If t0 is t1, it is the zero of the line through the last two.
+    """
+    slope, bend = (f2 - f1) / (t2 - t1), 0.0
+    if t1 > t0:
+        bend = (slope - (f1 - f0) / (t1 - t0)) / (t2 - t0)
+    return t2 + first_root(f2, slope + bend * (t2 - t1), bend)

@@ -27,7 +27,7 @@ from vv.engines.rigid.general.setting import (
 from vv.engines.rigid.general.step import Trial, attempt
 from vv.engines.rigid.general.turning import orthonormal, turn_by
 from vv.engines.rigid.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP
-from vv.engines.rigid.slip import least_slip_speed
+from vv.engines.rigid.slip import least_slip_speed, zero_after
 from vv.engines.rigid.solver.assembly import relative
 from vv.scene import Vector
 
@@ -60,11 +60,15 @@ def time_to_slip_end(
 
     trial: that of the whole step. The time is zero if a slip ends at once, which is then marked in
     past.still, and -infinity if it ends at once from a finite speed: the contact jams, which needs
-    an impact. The end is bracketed; guesses follow from the deceleration of the slowest slip.
+    an impact. The end is bracketed. A trial that ends too late does not tell by how much: guesses
+    follow from the speeds of the slowest slip before the end, along a parabola, and step back from
+    a late one by a distance that grows from the accuracy asked. The bracket is halved where a guess
+    is outside, or has not halved the speed.
     """
     v, w = zero_rows(len(trial.v)), zero_rows(len(trial.v))
     rates(setting, state, now, v, w)
-    low, high, late, speed, guess = 0.0, whole, trial, slowest_slip(trial, v, w), whole
+    low, high, late, speed = 0.0, whole, trial, slowest_slip(trial, v, w)
+    earlier, faster, guess, back = 0.0, speed, np.inf, 0.0
     if speed > least_impact_speed(setting, dt):
         brief = CLOSE * dt
         jam = attempt(
@@ -72,19 +76,21 @@ def time_to_slip_end(
         )
         if marked(jam.ended):
             return -np.inf
-    for look in range(ENDS):
+    for _ in range(ENDS):
         if high - low <= CLOSE * dt:
             break
-        span = guess
-        if not low < span < high or look % 4 == 3:
-            span = 0.5 * (low + high)
+        if not low < guess < high:
+            guess = np.inf
+        span = guess if guess < np.inf else 0.5 * (low + high)
         trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
         if marked(trial.ended):
-            high, late, guess = span, trial, guess - 0.5 * CLOSE * dt
+            back = np.sqrt(back * (span - low)) if back > 0.0 else 0.5 * CLOSE * dt
+            high, late, guess = span, trial, guess - back
         else:
-            left = slowest_slip(trial, trial.v, trial.w)
-            guess = span + left * (span - low) / (speed - left) + 0.25 * CLOSE * dt
-            low, speed = span, left
+            left, guess = slowest_slip(trial, trial.v, trial.w), np.inf
+            if left <= 0.5 * speed:
+                guess = zero_after(earlier, faster, low, speed, span, left) + 0.25 * CLOSE * dt
+            earlier, faster, low, speed, back = low, speed, span, left, 0.0
     if low <= CLOSE * dt:
         row = matched(late.key, len(late.key), past.key)
         for c in range(len(row)):
