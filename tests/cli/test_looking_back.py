@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from tests.insight.test_effort import manifest, record
 from tests.support import fabricated
+from tests.support.records.priced import manifest, record
 from vv.base.errors import UsageError
 from vv.case.published import Paper
 from vv.cli import docs_command, papers_command

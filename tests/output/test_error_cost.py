@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.insight.test_effort import one
+from tests.support.records.priced import one
 from vv.insight.effort import Effort
 from vv.output.gallery.error_cost import COLOURS, MARKERS, picture
 

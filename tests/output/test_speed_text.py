@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from tests.insight.test_effort import manifest, record
+from tests.support.records.priced import manifest, record
 from vv.insight.effort import Effort, efforts, untimed
 from vv.output import speed_text
 from vv.records.job_record import Record

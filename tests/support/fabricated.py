@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import SimpleNamespace
 from typing import Any, TypeVar
 
 import numpy as np
@@ -29,6 +30,11 @@ NOWHERE = Provenance(
     versions={"vv": "0.1"},
     threads=1,
 )
+
+
+def some(**named: Any) -> Any:
+    """A stand-in that has only these attributes."""
+    return SimpleNamespace(**named)
 
 
 def changed(thing: Thing, **changes: Any) -> Thing:

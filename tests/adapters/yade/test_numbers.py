@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,12 +18,8 @@ from adapters.yade.terms.walls import facet_size, walls
 from tests.adapters.liggghts.test_numbers import ROOM
 from tests.support.adapters.small_asks import UP, ball, ball_ask
 from tests.support.adapters.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
+from tests.support.fabricated import some
 from vv.scene import Contact, Harmonic, Hertz, Pulse, Wall, box_geometry
-
-
-def some(**named: Any) -> Any:
-    """What has these attributes, in place of what has more."""
-    return SimpleNamespace(**named)
 
 
 def test_a_facet_is_a_thousand_times_as_large_as_the_scene_and_its_paths() -> None:

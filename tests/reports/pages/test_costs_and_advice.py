@@ -12,8 +12,8 @@ from reports.marks import marks
 from reports.variant.advice import advice
 from reports.variant.costs import cost_rows
 from reports.variant.figures import is_drawn
-from tests.insight.test_effort import manifest, record
 from tests.support import fabricated
+from tests.support.records.priced import manifest, record
 from vv.insight.accuracy_cost import TARGETS
 from vv.insight.effort import Effort, every_effort
 from vv.records.rungs import Floor

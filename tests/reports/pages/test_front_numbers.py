@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -17,6 +16,7 @@ from reports.pages import overview as numbers
 from reports.pages.overview import TARGETS, Cell
 from reports.variant.models import Modelled, models
 from reports.variant.reading import TARGET
+from tests.support.fabricated import some
 from vv.insight.stability_summary import Kind
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.outcomes import Outcome
@@ -24,10 +24,6 @@ from vv.records.outcomes import Outcome
 LABELS = ("a/a", "a/b", "b/b")
 LOOKS = marks(LABELS)
 PASS = OUTCOMES[Outcome.PASS]
-
-
-def some(**named: Any) -> Any:
-    return SimpleNamespace(**named)
 
 
 def cell(error: float | None, ladder: bool = True) -> Cell:

@@ -1,13 +1,15 @@
-"""Commands that only look do not import what they do not need."""
+"""Claims about the process of `vv`: what it imports, and how it ends."""
 
 from __future__ import annotations
 
+import gc
 import subprocess
 import sys
 
 import pytest
 
 from tests import ROOT
+from vv import __main__, cli
 
 NEEDLESS = {"numba", "scipy", "matplotlib", "pandas", "importlib.metadata", "multiprocessing"}
 
@@ -19,3 +21,15 @@ def test_a_quick_look_imports_nothing_heavy(word: str) -> None:
     names = {line.rpartition("|")[2].strip() for line in told.splitlines()}
     assert "numpy" in names
     assert not NEEDLESS & names
+
+
+def test_what_was_read_is_not_searched_as_the_process_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cli, "main", lambda: pytest.exit("as typer does"))
+    threshold = gc.get_threshold()
+    try:
+        with pytest.raises(pytest.exit.Exception):
+            __main__.main()
+        assert gc.get_freeze_count() > 0
+    finally:
+        gc.unfreeze()
+        gc.set_threshold(*threshold)
