@@ -40,10 +40,9 @@ def find_normals(normal: Vector, shapes: Shapes, vertex: Vector) -> None:
     """Fill normal (f, 3) from the vertices (v, 3) of blocks that may deform, by Newell's sum."""
     for f in range(len(normal)):
         first, last = shapes.corner_start[f], shapes.corner_start[f + 1]
-        area = (0.0, 0.0, 0.0)
+        area, before = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
         origin = at(vertex, shapes.corner[first])
-        before = add_scaled(at(vertex, shapes.corner[last - 1]), -1.0, origin)
-        for c in range(first, last):
+        for c in range(first + 1, last):
             here = add_scaled(at(vertex, shapes.corner[c]), -1.0, origin)
             area = add_scaled(area, 1.0, cross(before, here))
             before = here
