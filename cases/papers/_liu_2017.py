@@ -46,9 +46,9 @@ def _first_pair() -> NDArray[np.int64]:
     return np.asarray(BLOCK.bonds[int(((u[j] - u[i]) * n).sum(axis=1).argmax())])
 
 
-def _first_at_faces() -> float:
-    """The number of these two elements that have fewer than the twelve bonds of an inner one."""
-    return float((np.bincount(BLOCK.bonds.ravel())[_first_pair()] < 12).sum())
+def at_faces(elements: NDArray[np.int64]) -> float:
+    """How many of these elements have fewer than the twelve bonds of an inner one."""
+    return float((np.bincount(BLOCK.bonds.ravel())[elements] < 12).sum())
 
 
 def _over(state: tetrahedral_unit.State, printed: float) -> float:
@@ -330,7 +330,7 @@ BLOCKS = (
               ),
     Statement("Sec. 5.2", "cracks form first around the boundaries; how many of the two elements "
               "of the first bond to open lie at a face", "", REPRODUCED, "as a block of 82 is "
-              "pulled; the paper gives no number", exact=_first_at_faces),
+              "pulled; the paper gives no number", exact=lambda: at_faces(_first_pair())),
     Statement("Sec. 6", "C_u can be raised by F_s0 without changing mu_i; C_u for twice F_s0 over "
               "that for once", "", REPRODUCED, "by Eqs. 14 and 15; computed at finite "
               "displacement", "",

@@ -106,7 +106,7 @@ def _swing(
         return side * float(y[0]) - pi / 2
 
     floor.terminal = flat.terminal = True  # type: ignore[attr-defined]
-    floor.direction = -1.0  # type: ignore[attr-defined]
+    floor.direction = -1  # type: ignore[attr-defined]
     last = float(times[-1])
     for end, on in ((T, 1.0), (inf, 0.0)):
         if not now < min(end, last * 1.000001):

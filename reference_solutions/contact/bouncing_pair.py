@@ -216,7 +216,7 @@ def _contact(two: Pair, begin: float, z: Array, way: float) -> Stage:
         return two.mu * two.kn * float(two.overlap(z)) - abs(float(z[10]))
 
     for event in (opens, ends):
-        event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+        event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
     k = sqrt(two.kn * sum(1.0 / m for m in two.m))
     v = max(abs(two.slip(z)[0]), 1e-3 * float(np.abs(z[4:8]).max()))
     scale = [v / k] * 4 + [v] * 4 + [v / r for r in two.r] + [v * two.kn / k]

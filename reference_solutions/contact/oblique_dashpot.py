@@ -82,7 +82,7 @@ def _mode(impact: Impact, now: float, y: Array, mode: int) -> tuple[float, Any, 
     ends = [(room(FORWARD), FORWARD), (room(BACKWARD), BACKWARD)] if mode == STICK else []
     events: list[Any] = [event for event, _ in ends] or [slips]
     for event in events:
-        event.terminal, event.direction = True, -1.0
+        event.terminal, event.direction = True, -1
     unit = sqrt(impact.m / impact.kn)
     scale = np.array([impact.v * unit, impact.v, impact.v * sqrt(impact.kn * impact.m)])
     found = solve_ivp(

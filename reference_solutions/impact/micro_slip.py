@@ -179,7 +179,7 @@ class _Contact:
 
         events = (apart, turns, through)
         for event in events:
-            event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+            event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
         found = solve_ivp(
             lambda t, y: self.rates(t, y, mode), (time, time + self.longest), y, "DOP853",
             events=events, rtol=RELATIVE, atol=1e-15 * self.sizes, dense_output=not mode,

@@ -229,7 +229,7 @@ class Impact:
             return self.exceeding(y, slips) if slips else self.reserve(y)
 
         for event in (ends, changes):
-            event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+            event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
         found = solve_ivp(
             lambda t, y: self.slope(y, slips), (time, time + self.longest), y, "DOP853",
             events=(ends, changes), rtol=RELATIVE, atol=1e-15 * self.sizes,

@@ -11,7 +11,13 @@ import pytest
 from vv.base import parallel
 from vv.base.parallel import parallel_map
 
-HERE = os.getpid()
+HERE = 0
+
+
+@pytest.fixture(autouse=True)
+def here(monkeypatch: pytest.MonkeyPatch) -> None:
+    """This process, which need not be the one that imported this file."""
+    monkeypatch.setattr(f"{__name__}.HERE", os.getpid())
 
 
 @pytest.fixture

@@ -174,7 +174,7 @@ def _turn(
     def slow(_: float, z: Array) -> float:
         return float(z[2] - stopped)
 
-    slow.terminal, slow.direction = True, -1.0  # type: ignore[attr-defined]
+    slow.terminal, slow.direction = True, -1  # type: ignore[attr-defined]
     first, z = _launched(drive, begin, x, scale)
     early, late = (begin <= t) & (t < first), t >= first
     y[early] = x

@@ -178,7 +178,7 @@ def _dragged(base: Base, begin: float, lag: Array, t: Array, lags: Array) -> tup
     def slow(_: float, z: Array) -> float:
         return hypot(z[2], z[3]) - _STOPPED * fastest
 
-    slow.terminal, slow.direction = True, -1.0  # type: ignore[attr-defined]
+    slow.terminal, slow.direction = True, -1  # type: ignore[attr-defined]
     ax, ay, _ = base.acceleration(begin)
     z = np.array([*lag, -ax, -ay]) * [1.0, 1.0, *[_STARTED * fastest / hypot(ax, ay)] * 2]
     for method, rtol, atol in _ROUTINES:

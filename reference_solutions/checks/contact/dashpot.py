@@ -25,7 +25,7 @@ def collision(
     def rate(at: float, y: Array) -> Array:
         return np.array([y[1], -push(at, y) / m])
 
-    push.terminal, push.direction = True, -1.0  # type: ignore[attr-defined]
+    push.terminal, push.direction = True, -1  # type: ignore[attr-defined]
     found = solve_ivp(
         rate, (0.0, 4.0 * unit), np.array([0.0, v]), "DOP853", dense_output=True, events=push,
         rtol=1e-13, atol=1e-13 * np.array([v * unit, v]), max_step=0.05 * unit,

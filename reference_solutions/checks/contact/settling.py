@@ -30,7 +30,7 @@ def settling(
         def crossed(_: float, y: Array, spring: float) -> float:
             return float(y[0])
 
-        crossed.terminal, crossed.direction = True, -1.0 if flies else 1.0  # type: ignore[attr-defined]
+        crossed.terminal, crossed.direction = True, -1 if flies else 1  # type: ignore[attr-defined]
         end = float(t[-1])
         found = solve_ivp(
             rate, (now, end), z, "DOP853", dense_output=True, events=crossed,

@@ -162,5 +162,5 @@ def _falling(guard: Callable[[Array], float]) -> Callable[[float, Array], float]
     def event(_: float, z: Array) -> float:
         return guard(z)
 
-    event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+    event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
     return event

@@ -21,7 +21,7 @@ def _until(
     """The time and state at an event, or at `time` [s] from the start if none occurs."""
     from scipy.integrate import solve_ivp
 
-    event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+    event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
     found = solve_ivp(
         slope, (0.0, time), start, "DOP853", events=event, rtol=1e-13,
         atol=[1e-14 * size for size in sizes],

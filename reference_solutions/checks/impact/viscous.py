@@ -69,7 +69,7 @@ def _falling(ends: Event, *others: Event) -> tuple[Event, ...]:
     """Events of solve_ivp at decreasing zeros; the first of them ends the integration."""
     ends.terminal = True  # type: ignore[attr-defined]
     for event in (ends, *others):
-        event.direction = -1.0  # type: ignore[attr-defined]
+        event.direction = -1  # type: ignore[attr-defined]
     return ends, *others
 
 

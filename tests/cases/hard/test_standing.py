@@ -87,6 +87,15 @@ def test_the_two_routes_of_the_fall_agree() -> None:
     )
 
 
+def test_the_fall_begins_as_the_square_of_time() -> None:
+    """Before the first rotation that the second route integrates, and after it."""
+    thick = 0.9 * thrust.thinnest_of_chords(10)
+    joint = energetic._joint(10, thick)
+    first = energetic._time(1e-6, 10, thick, joint)
+    turns = [energetic._turn(part * first, 10, thick, joint) for part in (0.5, 1.0, 1.001, 2.0)]
+    assert turns == pytest.approx([2.5e-7, 1e-6, 1.001**2 * 1e-6, 4e-6], rel=1e-4)
+
+
 def test_an_arch_on_the_brink_does_not_fall() -> None:
     """At the least thickness the initial acceleration of the mechanism is zero."""
     thick = thrust.thinnest_of_chords(10)

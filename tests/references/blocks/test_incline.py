@@ -97,7 +97,14 @@ def test_they_agree_over_the_class(
 
 
 @pytest.mark.parametrize(
-    ("p", "end"), [(BOTH, 2.0), (STRONG, 4.0), (BOTH | {"phi": 45.0}, 2.0)], ids=["", "strong", "="]
+    ("p", "end"),
+    [
+        (BOTH, 2.0),
+        (STRONG, 4.0),
+        (BOTH | {"phi": 45.0}, 2.0),
+        (BOTH | {"fx": 1.3, "fy": 0.7}, 1.62),  # shortly after a slip has begun
+    ],
+    ids=["", "strong", "=", "late"],
 )
 def test_the_two_routes_agree_in_two_directions(p: Parameters, end: float) -> None:
     t = np.linspace(0.0, end, 201)

@@ -44,6 +44,7 @@ THREE: Parameters = {
 }
 STICKS = THREE | {"Dy": 0.05, "fy": 2.0, "mu": 2.0}  # slips for a part of each second
 TURNS = THREE | {"Dy": 0.05, "fy": 1.0, "mu": 1.0}  # sticks, slips and turns
+UNLIKE = TURNS | {"fx": 1.7, "fy": 0.9, "fz": 1.3, "mu": 0.8}
 WHAT_MOVES = ("base", "one_direction", "_drive", "_steps")  # of the first route
 SECOND = ("one_direction", "_carried", "_caught")  # of the second, one direction
 DRAGS = ("three_directions", "drags", "acceleration", "Base", "_dragged")  # of the second, more
@@ -98,7 +99,7 @@ def test_they_agree_over_the_class(tenths: int, quarters: int, twentieths: int) 
 
 
 @pytest.mark.parametrize(
-    ("p", "end"), [(TWO, 1.0), (THREE, 1.0), (STICKS, 2.0), (TURNS, 1.2)], ids=str
+    ("p", "end"), [(TWO, 1.0), (THREE, 1.0), (STICKS, 2.0), (TURNS, 1.2), (UNLIKE, 1.2)], ids=str
 )
 def test_the_two_routes_agree_in_more_directions(p: Parameters, end: float) -> None:
     t, solve = np.linspace(0.0, end, 101), "three_directions" if "Dz" in p else "two_directions"

@@ -35,6 +35,13 @@ def test_it_overturns_from_the_threshold_on_by_both_routes() -> None:
     assert not stepped.overturns(least * (1 - 1e-6), **LAW, w=W, steps=2000)
 
 
+def test_a_slow_sine_overturns_it_hardly_above_what_lifts_it_by_both_routes() -> None:
+    least, lifts = rocking.threshold(**LAW, w=3.0), LAW["g"] * np.tan(ALPHA)
+    assert 1.01 < least / lifts < 1.3
+    assert stepped.overturns(least * (1 + 1e-6), **LAW, w=3.0, steps=2000)
+    assert not stepped.overturns(least * (1 - 1e-6), **LAW, w=3.0, steps=2000)
+
+
 @pytest.mark.parametrize(("g", "least"), [(9.80, 5.43639), (9.80665, 5.43911), (9.81, 5.44049)])
 def test_for_small_angles_the_threshold_is_that_of_makris_and_roussos(
     g: float, least: float

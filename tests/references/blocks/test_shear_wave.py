@@ -125,6 +125,18 @@ def test_any_wrong_sign_in_the_second_routes_is_caught(sign: int) -> None:
     assert caught(lambda: apart(shear_wave, turned(second, sign)) < 1.0)
 
 
+def test_a_sine_of_two_steps_a_period_is_the_fastest_that_steps_resolve() -> None:
+    """Below it both routes agree, whether layers are alike or not."""
+    law: dict[str, Any] = {"F": 62.0, "dt": 8e-3}
+    soils: dict[str, Any] = {"layers": 3, "height": 30.0, "c": 300.0}
+    assert shear_wave.layered_ratio(**law, **soils) == pytest.approx(
+        second.layered_ratio(**law, **soils), rel=1e-9
+    )
+    assert shear_wave.unlike_ratio(**law, layers=UNLIKE) == pytest.approx(
+        second.unlike_ratio(**law, layers=SOILS), rel=1e-9
+    )
+
+
 def test_what_is_not_covered_is_refused() -> None:
     with pytest.raises(ValueError, match=r"y = 21.0 m; it must lie between 0 and the height"):
         shear_wave.displacement(T, **{**WAVES[0], "y": 21.0})

@@ -158,6 +158,14 @@ def test_intervals_follow_each_other_until_the_end() -> None:
         assert all(a.slips or b.slips for a, b in itertools.pairwise(found))
 
 
+def test_a_slip_has_as_many_steps_as_its_time_holds_periods_of_the_fastest_drive() -> None:
+    still = np.zeros((3, 2))
+    drive = turning_slip.Drive(np.array([2.0 * pi, 4.0 * pi]), np.zeros(3), still, still)
+    most = turning_slip._MOST
+    told = [turning_slip._most(drive, t) for t in (0.0, 0.5, 1.5)]
+    assert told == pytest.approx([most, 2 * most, 4 * most], abs=1)
+
+
 def line(harmonic: ModuleType) -> Iterator[Array]:
     """The solutions in one direction that use the given module."""
     t = np.linspace(0.0, 2.2, 45)

@@ -151,3 +151,10 @@ def test_contacts_last_half_a_swing_and_lose_what_their_dashpot_takes() -> None:
 def test_the_stiffness_is_the_slope_of_the_pressure(filled: float) -> None:
     high, low = ((filled + d) * cooling._pressure(filled + d) for d in (1e-5, -1e-5))
     assert cooling._stiffness(filled) == pytest.approx((high - low) / 2e-5, rel=1e-7)
+
+
+def test_the_tension_of_a_dense_gas_is_that_of_scaled_particles() -> None:
+    """Theory of scaled particles: -9/2 pi f^2 (1 + f)/(1 - f)^3 (Reiss, Frisch, Helfand 1960)."""
+    f = 0.4  # where the last term of the tension is a tenth of the first
+    scaled = -4.5 / math.pi * f**2 * (1.0 + f) / (1.0 - f) ** 3
+    assert cooling._tension(f) == pytest.approx(scaled, rel=0.03)

@@ -16,3 +16,18 @@ def test_the_minimum_of_energy_rests_on_three_contacts_a_sphere(seed: int) -> No
     contacts, floor = least.settled(x, radius, 9.81 * mass, 1e5, 0.044)
     assert contacts == pytest.approx(packing.CONTACTS, rel=0.03)
     assert floor == pytest.approx(packing.weight(mass, 9.81), rel=1e-4)
+
+
+def test_the_forces_are_the_slope_of_the_energy() -> None:
+    """Pairs, low and high walls and the floor are pressed, so that each part has its share."""
+    random = np.random.default_rng(3)
+    x, radius = random.uniform(0.002, 0.03, (20, 3)), random.uniform(0.008, 0.012, 20)
+    law = (radius, random.uniform(0.05, 0.1, 20), 1e3, 0.032)
+    _, _, pairs, walls = least.overlaps(x, radius, 0.032)
+    assert (pairs > 0.0).any()
+    assert (walls > 0.0).any(axis=0).all()
+    flat, h = x.ravel(), 1e-8
+    ahead, behind = ([least.energy(flat + way * h * e, *law)[0] for e in np.eye(flat.size)]
+                     for way in (1.0, -1.0))  # fmt: skip
+    slope = (np.array(ahead) - behind) / (2.0 * h)
+    assert least.energy(flat, *law)[1] == pytest.approx(slope, abs=1e-6 * np.abs(slope).max())

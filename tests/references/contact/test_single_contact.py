@@ -85,6 +85,11 @@ def agrees(route: ModuleType, turned: int | None) -> bool:
 
 
 @pytest.mark.parametrize("test", NEEDS)
+def test_the_second_route_passes_modes_in_which_no_time_is_asked_for(test: str) -> None:
+    assert disagreement(test, np.array([0.39]), {}) < AGREEMENT
+
+
+@pytest.mark.parametrize("test", NEEDS)
 @pytest.mark.parametrize("end", [0.4, 2.0])
 def test_the_two_routes_agree(test: str, end: float) -> None:
     assert disagreement(test, np.linspace(0.0, end, 401), {}) < AGREEMENT

@@ -58,6 +58,17 @@ def test_they_part_with_the_speed_at_which_they_met() -> None:
     assert later[1] - later[0] == pytest.approx(-0.7 * 0.5 * end, rel=1e-12)
 
 
+def test_stiffness_across_over_that_along_is_what_mindlin_found() -> None:
+    """At the same overlap the two are as 2 (1 - nu) to 2 - nu, for a body and for two alike."""
+    young, nu, radius = 3e9, 0.3, 0.04
+    normal, shear = hertz.effective_modulus(young, nu), hertz.effective_shear_modulus(young, nu)
+    assert shear == pytest.approx(young / (2.0 * 1.3) / 1.7, rel=1e-14)
+    along = 1.5 * hertz.normal_factor(modulus=normal, radius=radius)  # over sqrt(U)
+    across = hertz.shear_factor(modulus=shear, radius=radius)
+    assert across / along == pytest.approx(2.0 * 0.7 / 1.7, rel=1e-14)
+    assert hertz.shear_factor(modulus=3.0, radius=4.0) == 48.0
+
+
 def test_parameters_outside_their_range_are_named() -> None:
     with pytest.raises(ValueError, match="K = -1"):
         hertz.contact_time(m=1.0, K=-1.0, v=1.0)

@@ -97,6 +97,16 @@ def test_a_sphere_sinks_at_first_under_its_weight_and_in_the_end_evenly() -> Non
     assert abs(float(PARTICLE.rate(speed[1]))) < 1e-12
 
 
+@pytest.mark.parametrize("v0", [0.05, 2.0])
+def test_speeds_converge_fastest_where_drag_is_steepest(v0: float) -> None:
+    """Drag grows with speed: the rate is that at the greater of the first and the last speed."""
+    particle = PARTICLE._replace(v0=v0)
+    most, h = max(v0, particle.last), 1e-6
+    steepest = float(particle.rate(most - h) - particle.rate(most + h)) / (2.0 * h)
+    assert min(v0, particle.last) < 0.5 * most
+    assert particle.quickest == pytest.approx(steepest, rel=1e-8)
+
+
 def test_mfix_prints_a_particle_that_sinks() -> None:
     """In the frame of MFiX the gas rises at 0.4 m/s; the initial position is 0.0925 m."""
     times = np.array([0.01, 0.05, 0.1, 0.2, 0.35])

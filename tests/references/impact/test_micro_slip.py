@@ -6,7 +6,7 @@ import pytest
 
 from reference_solutions.checks.impact import micro_slip as second
 from reference_solutions.checks.impact.rebound import Strike
-from reference_solutions.impact import hertz, rebound
+from reference_solutions.impact import hertz, micro_slip, rebound
 from reference_solutions.impact.micro_slip import rebound as in_part
 from reference_solutions.impact.rebound import WALL, After, Law, Sphere
 
@@ -78,6 +78,12 @@ def test_angular_momentum_about_the_contact_is_kept_but_for_the_arm(degrees: flo
 def test_impacts_that_begin_stuck_join_those_that_begin_to_slip() -> None:
     below, above = (_after(ANGLE + more) for more in (-1e-7, 1e-7))
     assert below.tangential == pytest.approx(above.tangential, rel=1e-7)
+
+
+def test_a_contact_that_changes_too_often_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(micro_slip, "MOST", 0)
+    with pytest.raises(RuntimeError, match="changed more than 0 times"):
+        in_part(LAW, BALL, vn=1.25)
 
 
 def test_a_law_without_hertz_or_with_losses_is_refused() -> None:
