@@ -41,8 +41,12 @@ class Record(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether the file and all sources that it ran are unchanged."""
-        return all(digest(file) == then for file, then in self.digests.items())
+        """Whether a test passed, and the file and all sources that it ran are unchanged.
+
+        Where none passed something was wrong with the machine or the copy, which may be over.
+        """
+        unchanged = all(digest(file) == then for file, then in self.digests.items())
+        return bool(self.seconds) and unchanged
 
 
 def digest(file: str, root: Path = ROOT) -> str:

@@ -183,14 +183,15 @@ def test_a_mutant_is_put_into_functions_that_are_loaded() -> None:
     assert forked(lambda: told(named("one.value is not None  ->")), 60.0) != 0
 
 
-def test_a_record_holds_as_long_as_the_files_are_those_of_the_copy_it_was_made_in(
+def test_a_record_holds_if_a_test_passed_as_long_as_the_files_are_those_of_its_copy(
     tmp_path: Path,
 ) -> None:
     (tmp_path / "vv" / "gate").mkdir(parents=True)
     (tmp_path / FILE).write_bytes((ROOT / FILE).read_bytes())
-    assert Record({}, {}, {FILE: digest(FILE, tmp_path)}).holds
-    (tmp_path / FILE).write_text("edited while it was recorded")
+    assert Record({"passed": 0.1}, {}, {FILE: digest(FILE, tmp_path)}).holds
     assert not Record({}, {}, {FILE: digest(FILE, tmp_path)}).holds
+    (tmp_path / FILE).write_text("edited while it was recorded")
+    assert not Record({"passed": 0.1}, {}, {FILE: digest(FILE, tmp_path)}).holds
 
 
 def test_each_test_has_a_time_of_its_own_after_which_it_hangs() -> None:
