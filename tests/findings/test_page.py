@@ -1,6 +1,7 @@
 """Claims about docs/findings.md: each figure is in words that a run, a test or a source shows."""
 
 import importlib
+import itertools
 import re
 import shlex
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ from typer.main import get_command
 from bench.findings import SLOW
 from tests import ROOT
 from tests.findings.figures import PROJECT
-from tests.findings.shown_elsewhere import BENCHES, SAID, TESTED
+from tests.findings.shown_elsewhere import BENCHES, SAID, SAID_WITHOUT_FIGURES, TESTED
 from tests.findings.table import Row
 from vv.case import Level
 from vv.cli import app
@@ -23,12 +24,13 @@ PAGE = (ROOT / "docs" / "findings.md").read_text()
 BULLETS = [line[2:] for line in PAGE.splitlines() if line.startswith("- ")]
 QUOTED = re.compile(r"`([^`]+)`")
 FIGURE = re.compile(r"(?<![\w.^-])\d")
+ENDS = re.compile(r"\.\)? (?=[A-Z`])")
 HERE = Path(__file__)
 TABLES = sorted(path.stem for path in HERE.parent.glob("test_*.py") if path != HERE)
 MODULES = [importlib.import_module(f"tests.findings.{name}") for name in TABLES]
 RUN = [(told, row) for one in MODULES for told, group in one.FOUND.items() for row in group]
 ROWS = [row for _, row in RUN] + [row for group in SLOW.values() for row in group]
-TOLD = [*(told for told, _ in RUN), *SLOW, *TESTED, *BENCHES, *SAID]
+TOLD = [*(told for told, _ in RUN), *SLOW, *TESTED, *BENCHES, *SAID, *SAID_WITHOUT_FIGURES]
 
 
 def commands() -> list[str]:
@@ -60,6 +62,21 @@ def unshown() -> Iterator[str]:
 
 def test_each_figure_is_shown_by_something() -> None:
     assert not list(unshown())
+
+
+def unshown_sentences() -> Iterator[str]:
+    """The sentences of which no table has a word; ends of sentences in names do not count."""
+    for bullet in BULLETS:
+        bare = QUOTED.sub(lambda found: "`" * len(found[0]), bullet)
+        ends = [0, *(found.end() for found in ENDS.finditer(bare)), len(bullet)]
+        shown = [(at, at + len(told)) for told in TOLD if (at := bullet.find(told)) >= 0]
+        for start, end in itertools.pairwise(ends):
+            if not any(first < end and start < last for first, last in shown):
+                yield bullet[start:end]
+
+
+def test_each_sentence_is_shown_by_something_or_said_to_be_no_finding() -> None:
+    assert not list(unshown_sentences())
 
 
 @pytest.mark.parametrize("bullet", BULLETS, ids=lambda text: " ".join(text.split()[:6]))

@@ -7,7 +7,7 @@ import math
 
 import pytest
 
-from tests.findings.figures import PROJECT, against, ends
+from tests.findings.figures import PROJECT, against, ends, value
 from tests.findings.table import Row, Table, each, rows
 from vv.ask import Knobs, Status
 from vv.case import Level
@@ -20,6 +20,9 @@ STICKING = "oblique-impact:pair-alloy-linear e=0.98"
 YADE, LIGGGHTS, DEM = "yade/default", "liggghts/default", "dem/default"
 
 FOUND: Table = {
+    "With `limitForce`, and in YADE's ViscElMat, it does not": [
+        *each(BOTH, ("dashpot:z-0.6", DEFAULT, value("restitution"), 0.2485, 0.2505)),
+    ],
     "7.8e-3 and 1.1e-2 at 1e-3 s": [
         *each(BOTH, ("single-contact:T2", Knobs(1e-3), "y", 7.7e-3, 7.9e-3)),
         *each(BOTH, ("single-contact:T4", Knobs(1e-3), "y", 1.05e-2, 1.08e-2)),

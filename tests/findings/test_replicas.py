@@ -5,7 +5,7 @@ Keys, rows and bands are as in tests/findings/test_dda.py.
 
 import pytest
 
-from tests.findings.figures import added_by_friction, ends, of_peak, unaccounted
+from tests.findings.figures import Answer, added_by_friction, ends, of_peak, unaccounted
 from tests.findings.table import Row, Table, rows
 from vv.ask import Knobs, Status
 
@@ -13,6 +13,12 @@ DEFAULT, LAGGED, PUBLISHED = "dda/default", "dda/lagged", "dda/published"
 ROCKS = "rocking:released b=0.09 h=0.31 part=0.5 duration=0.9"
 SHAKEN = "masonry:borne mu=0.9 D=0.03 f=3"
 LAID, SOFT, STIFF = Knobs(1e-3, 1e9), Knobs(1e-3, 1e8), Knobs(1e-3, 1e10)
+
+
+def penetration(answer: Answer) -> float:
+    """The largest penetration [m]; the block of the incline is 1 m high."""
+    return answer.ledger.audits["penetration [m]"][0]
+
 
 FOUND: Table = {
     "a spinning block does not strain at all": [
@@ -65,6 +71,16 @@ FOUND: Table = {
         Row(f"{ROCKS} mu={mu}", LAGGED, STIFF, ends(Status.DIVERGED), 1, 1)
         for mu in (0.3, 0.6, 1.3)
     ],
+    "`dda/lagged` can create energy where a rocking block lands, whether friction is low or high": [
+        Row(f"{ROCKS} mu=0.3", LAGGED, Knobs(5e-4, 1e10), added_by_friction, 1.0, 2.0),
+        Row(f"{ROCKS} mu=1.3", LAGGED, Knobs(5e-4, 1e10), added_by_friction, 2.5, 3.5),
+    ],
+    "at mu = 0.35 it diverges too, but friction takes a quarter of its energy at 5e-4 s": [
+        Row(f"{ROCKS} mu=0.35", LAGGED, STIFF, ends(Status.DIVERGED), 1, 1),
+        Row(
+            f"{ROCKS} mu=0.35", LAGGED, Knobs(5e-4, 1e10), of_peak(added_by_friction), -0.26, -0.24
+        ),
+    ],
     "at 5e-4 s friction adds 0.1 to 0.2 of its energy": [
         Row(f"{ROCKS} mu={mu}", LAGGED, Knobs(5e-4, 1e10), of_peak(added_by_friction), 0.1, 0.22)
         for mu in (0.3, 0.6, 1.3)
@@ -84,6 +100,9 @@ FOUND: Table = {
             for dt in (1e-3, 1e-2)
         ),
         Row("stability-map:incline", DEFAULT, Knobs(1e-3, 1e4), "d", 0.43, 0.46),
+    ],
+    "the block sinks into these springs by more than its own height": [
+        Row("stability-map:incline", DEFAULT, Knobs(1e-3, 1e4), penetration, 1.1, 1.2),
     ],
     "`dda/lagged` diverges on charts of first motions at phi 62 to 70, at 5e-4 s on 1e11 N/m": [
         Row(

@@ -5,7 +5,7 @@ Keys, rows and bands are as in tests/findings/test_dda.py.
 
 import pytest
 
-from tests.findings.figures import Answer, allowed, value
+from tests.findings.figures import PROJECT, Answer, allowed, value
 from tests.findings.table import Row, Table, each, rows
 from vv.ask import Knobs
 
@@ -108,3 +108,9 @@ FOUND: Table = {
 @pytest.mark.parametrize("row", rows(FOUND))
 def test_rigid_and_dem_are_as_they_are_told(row: Row) -> None:
     row.check()
+
+
+def test_no_level_runs_a_step_of_six_phases() -> None:
+    case = PROJECT.load_case("incline")
+    rungs = case.declare("two-directions", case.defaults("two-directions")).study.rungs
+    assert not any(Knobs(1e-4, 1e10) in run for run in rungs.values())

@@ -16,6 +16,7 @@ from tests.scenes.blocks.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN
 from vv.ask import Ask, Knobs
 from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks
+from vv.engines.rigid.limits import LOOSELY
 from vv.engines.rigid.point.model import point
 from vv.engines.rigid.point.trial import Ground, landing_time
 from vv.scene import Contact, Harmonic, Mask, Scene, Wall
@@ -65,6 +66,20 @@ def test_a_thrown_block_flies_and_comes_down_as_it_should_at_any_step(
     assert np.abs(path[:, 2] - flies).max() <= 1e-10
     lost = program.energies[:, 2]
     assert np.abs(lost - np.where(t < 0.2, 0.0, 1000 * (G / 10) ** 2 / 2)).max() <= 2e-8 * lost[-1]
+
+
+def test_among_more_than_eight_blocks_one_that_lands_penetrates_for_half_a_step() -> None:
+    """A step closes the gap, and the next one stops it: half of the gap too deep, as it moves at
+    the mean of its velocities before and after."""
+    step, high = 2e-3, 0.0507
+    rest = [box(f"{i}", [2.0 * i, 0, 0.5], [0.5] * 3, free_spin=FREE) for i in range(9)]
+    falls = box("falls", [-2.0, 0, 0.5 + high], [0.5] * 3, free_spin=FREE)
+    scene = Scene((FLOOR, falls, *rest), Contact(np.inf, mu=0.5), gravity=DOWN)
+    program = solved(scene, 0.2, step, step)
+    gaps = [(high - 0.5 * G * (n * step) ** 2, G * n * step) for n in range(100)]
+    gap = next(one for one, speed in gaps if one < step * (speed + G * step))
+    assert program.report[:, 2].max() == pytest.approx(0.5 * (gap - LOOSELY), rel=1e-6)
+    assert program.arguments[0][-1, 0, 2] == pytest.approx(-high, abs=1e-5)
 
 
 def dropped(step: float, duration: float = 0.7) -> float:

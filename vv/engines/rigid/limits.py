@@ -61,7 +61,7 @@ with leaps after which the solution is started again without leaps.
 In some steps, walls of 200 blocks that slide take up to 10 000 sweeps with leaps. A wall shaken at
 1.09 g had steps that took more than 20 000 with leaps, and only 1600 when started again without.
 
-A facade of 216 blocks that is shaken apart reaches these limits in 2 to 4 of 100 steps. A Newton
+A facade of 216 blocks that is shaken apart reaches these limits in up to 4 of 100 steps. A Newton
 step costs as much as some thousand sweeps; sweeps alone left one such step in forty above the
 residual asked.
 """
