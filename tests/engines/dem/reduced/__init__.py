@@ -1,0 +1,1 @@
+"""Claims about the models of DEM with one and two unknowns."""
