@@ -168,10 +168,11 @@ def share_face(
 ) -> None:  # fmt: skip
     """Give the contacts at a face's vertices equal shares of its area, projected on the wall."""
     first, last = shapes.corner_start[face], shapes.corner_start[face + 1]
-    polygon = rows(last - first)
+    many = last - first
+    polygon = rows(many)
     for c in range(first, last):
         put(polygon, c - first, at(vertex, shapes.corner[c]))
-    area = area_of(polygon, last - first, at(contacts.normal, begin)) / (last - first)
+    area = area_of(polygon, many, at(contacts.normal, begin)) / many
     for k in range(begin, count):
         for c in range(first, last):
             if contacts.key[k] - pair == shapes.corner[c]:

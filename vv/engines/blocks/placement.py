@@ -44,6 +44,6 @@ def find_normals(normal: Vector, shapes: Shapes, vertex: Vector) -> None:
         origin = at(vertex, shapes.corner[first])
         for c in range(first + 1, last):
             here = add_scaled(at(vertex, shapes.corner[c]), -1.0, origin)
-            area = add_scaled(area, 1.0, cross(before, here))
+            area = add_scaled(area, 0.5, cross(before, here))
             before = here
         put(normal, f, add_scaled((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(area, area)), area))

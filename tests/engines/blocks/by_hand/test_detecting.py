@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.engines.blocks.test_any_blocks import turned
 from tests.engines.blocks.test_contacts import QUARTER, ROLLED
 from tests.scenes.blocks.block_scenes import HELD, box
 from vv.engines.blocks.contacts import SAME, Contacts, detect, empty_contacts
@@ -19,6 +20,8 @@ SPACE = (0.0, 0.0, 0.0)
 TOP = 1  # the face of a box along the third of its axes
 UP = [0.0, 0.0, 1.0]
 NONE = np.empty((0, 3))
+LABELS = 24 + 2 * 72  # of the vertices and the clipped corners of three boxes
+SPAN = 18 * LABELS + 36 * 36  # of their pairs of a face and a label, and of two edges
 
 
 def found(
@@ -57,13 +60,11 @@ def test_a_key_tells_the_pair_the_face_and_the_corner() -> None:
     far, lower = box("far", [50, 0, 9], [1, 1, 1]), box("lower", [0, 0, 1.0], [1, 1, 1])
     upper = box("upper", [0.5, 0.2, 2.5], [1.0, 0.5, 0.5])
     count, rows = found(far, lower, upper, walls=[[9, 9, 0]], normals=[UP])
-    labels = 24 + 2 * 72
-    span = 18 * labels + 36 * 36
     assert count == 8
-    pair, feature = np.divmod(rows.key, span)
+    pair, feature = np.divmod(rows.key, SPAN)
     assert pair.tolist() == [3 * 4 + 1] * 4 + [1 * 4 + 2] * 4
     assert feature[:4].tolist() == [8, 9, 10, 11]
-    face, label = np.divmod(feature[4:], labels)
+    face, label = np.divmod(feature[4:], LABELS)
     assert face.tolist() == [6 + TOP] * 4
     inside = {int(k) for k in label if k < 24}
     assert inside == {16, 18}
@@ -81,10 +82,9 @@ def test_a_key_tells_the_edges_that_cross() -> None:
     assert count == 1
     form = shapes((box("far", [50, 0, 0], [1, 1, 1]), lower, upper))
     vertex = np.concatenate([np.full((8, 3), np.nan), lower.vertices, upper.vertices])
-    span = 18 * (24 + 2 * 72) + 36 * 36
-    pair, feature = divmod(int(rows.key[0]), span)
+    pair, feature = divmod(int(rows.key[0]), SPAN)
     assert pair == 1 * 3 + 2
-    one, two = divmod(feature - 18 * (24 + 2 * 72), 36)
+    one, two = divmod(feature - 18 * LABELS, 36)
     for edge, along in ((one, 1), (two, 0)):
         ends = vertex[form.edge[edge, :2]]
         assert np.delete(ends, along, axis=1) == pytest.approx(np.zeros((2, 2)))
@@ -93,23 +93,21 @@ def test_a_key_tells_the_edges_that_cross() -> None:
 
 @pytest.mark.parametrize("first", ["lower", "upper"])
 def test_only_corners_within_the_margin_touch_and_share_the_area(first: str) -> None:
-    """A box tilted by 0.1 over a broad one, whose farther corners are beyond the margin."""
+    """A box tilted by 0.1 over a broad one, in a turned frame; two corners are farther up."""
+    frame = turned(np.random.default_rng(8))
     c, s = np.array([1.0, 0.1]) / np.hypot(1.0, 0.1)
-    axes = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
-    lower = box("lower", [0.0, 0.0, -3.0], [5.0, 4.0, 3.0])
-    upper = box("upper", [0.0, 0.0, 0.0], [0.3, 0.2, 0.1], axes)
-    low = upper.vertices[:, 2].min()
-    upper = box("upper", [0.0, 0.0, 0.004 - low], [0.3, 0.2, 0.1], axes)
-    height = 0.004 + 0.6 * s
+    axes = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]]) @ frame
+    lower = box("lower", -3.0 * frame[2], [5.0, 4.0, 3.0], frame)
+    raised = 0.004 + 0.3 * s + 0.1 * c
+    upper = box("upper", raised * frame[2], [0.3, 0.2, 0.1], axes)
+    height, sign = 0.004 + 0.6 * s, 1.0 if first == "lower" else -1.0
     for margin, due in ((0.99 * height, 2), (1.01 * height, 4)):
-        pair = (lower, upper) if first == "lower" else (upper, lower)
-        count, rows = found(*pair, margin=margin)
+        count, rows = found(*((lower, upper) if sign > 0.0 else (upper, lower)), margin=margin)
         assert count == due
         assert np.sort(rows.gap)[:2] == pytest.approx([0.004, 0.004])
         assert rows.area == pytest.approx(np.full(due, 0.6 * c * 0.4 / 4))
-        normal = np.array(UP if first == "lower" else [0, 0, -1.0])
-        assert rows.normal == pytest.approx(np.tile(normal, (due, 1)))
-        assert rows.point[:, 2] == pytest.approx(0.5 * rows.gap)
+        assert rows.normal == pytest.approx(np.tile(sign * frame[2], (due, 1)))
+        assert rows.point @ frame[2] == pytest.approx(0.5 * rows.gap)
 
 
 def test_the_corners_of_a_block_touch_a_wall_where_it_is_now() -> None:
@@ -128,6 +126,7 @@ def test_the_corners_of_a_block_touch_a_wall_where_it_is_now() -> None:
     assert count == 4
     assert rows.first.tolist() == [3 + 1] * 4
     assert rows.second.tolist() == [2] * 4
+    assert (rows.key // SPAN).tolist() == [(3 + 1) * (3 + 2) + 2] * 4
     assert rows.gap == pytest.approx(np.full(4, 0.003))
     assert (rows.point - point) @ normal == pytest.approx(np.full(4, 0.25 + 0.0015))
     assert rows.normal == pytest.approx(np.tile(normal, (4, 1)))
