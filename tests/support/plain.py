@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from types import FunctionType
+from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
 from vv.engines.kernels import by_class
@@ -45,4 +45,6 @@ def _names(given: Names) -> Names:
         for name, value in given.items():
             if isinstance(value, Deferred):
                 made[name] = plain(value)
+            elif isinstance(value, ModuleType) and value.__name__.startswith("vv.engines."):
+                made[name] = SimpleNamespace(**_names(vars(value)))
     return NAMES[id(given)]

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tests.support.plain import plain
-from vv.engines.dem.bulk import advance, near, skin, viscous
+from vv.engines.dem.bulk import advance, near, output, skin, viscous
 from vv.engines.dem.bulk.cells import cells
-from vv.engines.dem.bulk.grains import BEFORE, SPUN, TURN, Given, Grains, V, W, initial_grains
+from vv.engines.dem.bulk.grains import BEFORE, TURN, Given, Grains, V, W, initial_grains
 from vv.engines.dem.bulk.kernel import move_in_bulk
 from vv.engines.dem.bulk.skin import CHANGE, LEAST, MOST, SOUGHT
 from vv.engines.dem.contact.dashpots import FORCE, RATE, SPRING
@@ -22,8 +22,8 @@ from vv.scene import Vector
 DT, KN, STEPS = 1e-3, 2e3, 60  # s, N/m
 move = plain(move_in_bulk)
 PLACE = np.array([[0.0, 0.0, 1.0], [1.1, 0.1, 1.2], [0.3, 1.4, 0.9], [1.9, 1.2, 1.1]])  # m
-CLOSE = PLACE + np.array([[0.35, 0.1, -0.1], [0, 0, 0], [0, 0, 0], [-0.3, 0, 0]])
-SPEED = np.array([[5.0, 1.0, -4.0], [-3.0, 2.0, 1.0], [0.0, 0.0, 0.0], [-9.0, -8.0, 2.0]])
+CLOSE = PLACE + np.array([[0.35, 0.1, -0.1], [0, 0, 0], [0, 0, 0], [-0.75, 0, 0]])
+SPEED = np.array([[5.0, 1.0, -4.0], [-3.0, 2.0, -9.0], [0.0, 0.0, 0.0], [-9.0, -8.0, 2.0]])
 RADIUS, MASS = np.array([0.5, 0.35, 0.45, 0.4]), np.array([1.0, 3.0, np.inf, 0.6])
 WALLS = np.array([[0.0, 0.6, 0.8, 0.4], [-1.0, 0.0, 0.0, -2.5]])
 DOWN = (0.5, 0.0, -9.0)
@@ -251,9 +251,11 @@ def test_sizes_of_the_largest_and_the_smallest_sphere_are_found() -> None:
     assert (plain(skin.widest)(turned), plain(skin.narrowest)(turned)) == (0.5, 0.35)
 
 
-def searched(some: Grains, old: Any = None, width: float = 0.3) -> tuple[Any, Any]:
+def searched(
+    some: Grains, old: Any = None, width: float = 0.3, edge: float = 2.0
+) -> tuple[Any, Any]:
     """The pairs and the walls near spheres, with friction."""
-    sorted_into = plain(cells)(some, 2.0)
+    sorted_into = plain(cells)(some, edge)
     before = (plain(near.no_contacts)(4),) * 2 if old is None else old
     pairs = plain(near.near_pairs)(some, sorted_into, width, before[0], True)
     return pairs, plain(near.near_walls)(some, WALLS, sorted_into, width, before[1], True)
@@ -274,38 +276,67 @@ def test_walls_are_listed_for_moving_spheres_that_are_within_the_skin() -> None:
     assert [int(edges.one[k]) for k in range(edges.start[-1])] == sorted(edges.one.tolist())
 
 
+def named(some: Grains, kind: str, one: Any, k: int) -> tuple[tuple[Any, ...], float]:
+    """A contact by the numbers in the scene, and the sign of its force on the higher number."""
+    a, b = int(some.original[one.one[k]]), int(one.other[k])
+    if kind == "wall":
+        return (kind, a, b), 1.0
+    b = int(some.original[b])
+    return (kind, min(a, b), max(a, b)), 1.0 if a < b else -1.0
+
+
 def test_friction_stays_with_its_contact_and_turns_about_where_spheres_change_places() -> None:
-    """It is kept by the numbers in the scene: the force on the sphere of the higher number."""
-    some = grains()
-    old = searched(some, width=2.0)
+    """Four in a row above a wall, which is then seen in a mirror: the order of cells turns."""
+    row = np.array([[0.0, 0.0, 1.0], [1.2, 0.0, 1.0], [2.4, 0.0, 1.0], [3.6, 0.0, 1.0]])
+    some = grains(row)
+    old = searched(some, width=0.6, edge=1.2)
     force: dict[tuple[Any, ...], Vector] = {}
     for kind, one in zip(("pair", "wall"), old, strict=True):
         for k in range(len(one.other)):
-            one.touching[k] = k % 3 != 1
+            one.touching[k] = k != 1
             one.shear[k] = 1.0 + k, 2.0, 3.0
-            if one.touching[k]:
-                a, b = some.original[one.one[k]], one.other[k]
-                b, sign = (some.original[b], 1.0) if kind == "pair" else (b, 1.0)
-                if kind == "pair" and a > b:
-                    a, b, sign = b, a, -1.0
-                force[kind, int(a), int(b)] = sign * one.shear[k].copy()
-    some.row[:4, :3] = PLACE[::-1][np.argsort(np.argsort(some.original))] * [1, -1, 1]
-    again = searched(some, old, width=5.0)
+            key, sign = named(some, kind, one, k)
+            force |= {key: sign * one.shear[k]} if one.touching[k] else {}
+    some.row[:4, 0] *= -1.0
+    again = searched(some, old, width=0.6, edge=1.2)
+    assert some.original.tolist() == [3, 2, 0, 1]  # two share a cell
     found: dict[tuple[Any, ...], Vector] = {}
     for kind, one in zip(("pair", "wall"), again, strict=True):
         for k in range(len(one.other)):
-            a, b = some.original[one.one[k]], one.other[k]
-            b, sign = (some.original[b], 1.0) if kind == "pair" else (b, 1.0)
-            if kind == "pair" and a > b:
-                a, b, sign = b, a, -1.0
-            if one.touching[k]:
-                found[kind, int(a), int(b)] = sign * one.shear[k]
-            else:
-                assert not one.shear[k].any()
-    assert set(found) == set(force)
-    assert len(found) >= 5
+            key, sign = named(some, kind, one, k)
+            found |= {key: sign * one.shear[k]} if one.touching[k] else {}
+            assert one.touching[k] or not one.shear[k].any()
+    assert {key[0] for key in found} == {"pair", "wall"}
+    left = {key for key in force if (key[0], key[2]) == ("wall", 1)}  # it is across the row
+    assert set(found) == set(force) - left
     for key, one in found.items():
         assert one == pytest.approx(force[key])
+
+
+def test_there_is_room_for_any_number_of_contacts() -> None:
+    """At first for eight pairs of a sphere, and for as many walls as there are both together."""
+    place, n = np.random.default_rng(1).uniform(0.0, 0.1, (40, 3)), 40
+    planes = np.tile(WALLS[0], (4, 1))
+    one = np.ones(n)
+    some = plain(initial_grains)(Given(place, place, None, one, one, one))
+    sorted_into, none = plain(cells)(some, 2.0), plain(near.no_contacts)(n)
+    pairs = plain(near.near_pairs)(some, sorted_into, 0.1, none, False)
+    assert len(pairs.other) == n * (n - 1) // 2
+    assert (pairs.one < pairs.other).all()
+    edges = plain(near.near_walls)(some, planes, sorted_into, 0.1, none, False)
+    assert sorted(edges.other.tolist()) == sorted(n * [0, 1, 2, 3])
+
+
+def test_what_is_seen_is_the_way_and_the_means_of_velocities_and_spins() -> None:
+    some, random = grains(), np.random.default_rng(2)
+    some.original[:] = [2, 0, 3, 1]
+    some.row[:4, :3] = random.normal(size=(4, 3))
+    given = Given(PLACE, SPEED, SPEED, RADIUS, MASS, MASS)
+    path = np.zeros((2, 2, 9))
+    plain(output.observe)(path, 1, np.array([1, 2]), given, some)
+    for k, (what, row) in enumerate(((1, some.row[3]), (2, some.row[0]))):
+        means = 0.5 * (row[V : V + 6] + row[BEFORE : BEFORE + 6])
+        assert path[1, k] == pytest.approx([*(row[:3] - PLACE[what]), *means])
 
 
 def test_closed_contacts_are_listed_with_their_normals_pushes_and_viscosities() -> None:
@@ -334,4 +365,3 @@ def test_closed_contacts_are_listed_with_their_normals_pushes_and_viscosities() 
         assert kept[1][k, RATE] == pytest.approx(6.0 * share)
         assert kept[1][k, FORCE] == 0.0
     assert 0 < closed_now < used
-    assert SPUN == BEFORE + 3

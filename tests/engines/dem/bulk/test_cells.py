@@ -21,11 +21,11 @@ def _counted(low: tuple[float, ...], high: tuple[float, ...], edge: float) -> An
 
 
 def _found(given: Given, edge: float) -> Any:
-    """The numbers, in the scene, of the spheres of each pair."""
+    """The numbers of the spheres of each pair in the scene, and in the order of cells."""
     grains = initial_grains(given)
     sorted_into = cells(grains, edge)
     near = near_pairs(grains, sorted_into, SKIN, no_contacts(len(given.mass)), False)
-    return grains.original[near.one], grains.original[near.other]
+    return grains.original[near.one], grains.original[near.other], near.one, near.other
 
 
 counted: Any = numba.njit(_counted)
@@ -43,10 +43,13 @@ def test_pairs_are_those_of_all_wherever_the_spheres_lie(box: Vector, corner: Ve
     place, radius = corner + random.uniform(size=(n, 3)) * box, random.uniform(0.05, 0.1, n)
     fixed = np.arange(n) % 7 == 0
     mass = np.where(fixed, np.inf, 1.0)
-    one, other = found(Given(place, np.zeros((n, 3)), None, radius, mass, mass), 0.2 + SKIN)
+    one, other, first, second = found(
+        Given(place, np.zeros((n, 3)), None, radius, mass, mass), 0.2 + SKIN
+    )
     pairs = {(min(a, b), max(a, b)) for a, b in zip(one.tolist(), other.tolist(), strict=True)}
     i, j = np.triu_indices(n, 1)
     close = np.linalg.norm(place[i] - place[j], axis=1) < radius[i] + radius[j] + SKIN
     close &= ~(fixed[i] & fixed[j])
     assert pairs == set(zip(i[close].tolist(), j[close].tolist(), strict=True))
     assert len(pairs) == len(one)
+    assert (first < second).all()

@@ -108,6 +108,35 @@ def test_forces_balance_the_velocities_to_which_they_lead(
     assert push == pytest.approx(one.push[:4], rel=1e-12)
 
 
+@pytest.mark.parametrize("size", [1e-9, 1e9])
+def test_small_forces_are_as_accurate_as_large_ones(size: float) -> None:
+    one = several(FAR * size)
+    one = one._replace(v=size * one.v, push=size * one.push)
+    due, _ = solved(one, 0.0, 0.5, np.zeros((3, 3)))
+    new = np.zeros((5, 3))
+    new[4] = 1.5 * one.v[4]
+    forces((one.contacts, None), one.push[:4].copy(), one.v, new, MASS, None, DT, None, 0.5)
+    assert one.contacts[1][:, FORCE] == pytest.approx(due, rel=1e-12, abs=0.0)
+
+
+def test_a_contact_is_corrected_at_once_to_what_balances_it_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Two sweeps suffice for one contact, of which the second changes nothing."""
+    names: Any = forces.__globals__
+    original, done = names["sweep"], []
+
+    def counted(contacts: Any, *others: Any) -> Any:
+        done.append(contacts)
+        return original(contacts, *others)
+
+    monkeypatch.setitem(names, "sweep", counted)
+    for size in (1.0, 1e6):
+        done.clear()
+        alone(2.0 * size, FAR * size)
+        assert len(done) == 4  # one for each group of contacts
+
+
 def test_a_contact_that_is_open_has_no_force_and_is_left_out() -> None:
     one = several(FAR)
     one.contacts[1][1:, RATE] = 0.0

@@ -10,6 +10,7 @@ import pytest
 from tests.support.plain import plain
 from vv.engines.dem.contact import pairs as of_pairs
 from vv.engines.dem.contact import walls as of_walls
+from vv.engines.dem.contact.hertz import Elastic
 from vv.engines.dem.contact.linear import Linear
 from vv.engines.dem.space.bodies import Motion
 from vv.scene import Vector
@@ -74,6 +75,24 @@ def test_forces_of_pairs_are_opposite_and_turn_nothing_as_a_whole(
         assert not shear[2].any()
     else:
         assert (shear == 0.4).all()
+
+
+@pytest.mark.parametrize("friction", [None, (8e7, MU)])
+def test_unlike_elastic_spheres_press_by_their_reduced_radius(friction: Any) -> None:
+    """1/(1/r1 + 1/r2); friction is limited by what presses."""
+    law, told, pairs = Elastic(1e8, friction, None, (0.0, 0.0)), motion(None), touching()
+    told.v[:] = told.before[:] = 0.0
+    told.v[0, 2] = 1e3
+    shear = np.zeros((3, 3))
+    held = plain(of_pairs.pair_forces)(told, MASS, DT, pairs, law, None, shear)[0]
+    _, offset, gap, radii = pairs
+    reduced = 1.0 / (1.0 / radii[:2, 0] + 1.0 / radii[:2, 1])
+    push = 4.0 / 3.0 * 1e8 * np.sqrt(reduced * -gap[:2]) * -gap[:2]
+    assert held == pytest.approx(0.4 * push @ -gap[:2])
+    across = np.linalg.norm(shear[:2], axis=1)
+    assert across == pytest.approx(MU * push if friction else [0.0, 0.0])
+    n = offset[:2] / np.linalg.norm(offset[:2], axis=1)[:, None]
+    assert told.push[1:3] == pytest.approx(push[:, None] * n + shear[:2])
 
 
 WALL = np.array([[0.0, 0.6, 0.8], [0.0, 0.6, 0.8], [1.0, 0.0, 0.0]])

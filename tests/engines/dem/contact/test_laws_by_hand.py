@@ -166,6 +166,45 @@ def test_a_contact_that_is_sheared_slips_from_its_rim_as_cattaneo_says(part: flo
     assert held == pytest.approx(stored, rel=1e-3)
 
 
+TILT = np.array([0.48, -0.6, 0.64])
+LEVEL, SIDE = np.array([0.8, 0.0, -0.6]), np.array([0.36, 0.8, 0.48])
+
+
+def tilted(slide: Vector, midway: Vector = TILT) -> Touch:
+    """A contact at an overlap of 1e-4 m whose plane is oblique, after a slide [m] in 10 ms."""
+    n = tuple(TILT)
+    given = touch(1e-4, 0.0, slide / 0.01, (0.0, -2.0))
+    return given._replace(n=n, n_before=n, midway=tuple(midway))
+
+
+def test_a_contact_that_is_sheared_back_slips_twice_as_mindlin_and_deresiewicz_say() -> None:
+    """From full slip back by s the force falls by twice that of a slide of s/2."""
+    u, store = 1e-4, kept()
+    full = 0.25 * MU * E / G * u
+    rubbed(SLIPS, tilted(np.zeros(3)), RADIUS, MASS, store, 0, 0.01)
+    first = rubbed(SLIPS, tilted(1.2 * full * LEVEL + 0.1 * TILT), RADIUS, MASS, store, 0, 0.01)
+    assert first[0] == pytest.approx(-cattaneo(u, full) * LEVEL, rel=2e-4, abs=1e-6)
+    store[0, :3] = first[0]
+    back = -0.9 * full * LEVEL
+    force, held, taken = rubbed(SLIPS, tilted(back), RADIUS, MASS, store, 0, 0.01)
+    due = cattaneo(u, full) - 2.0 * cattaneo(u, 0.45 * full)
+    assert force == pytest.approx(-due * LEVEL, rel=2e-3, abs=1e-4 * abs(due))
+    assert held - first[1] + taken == pytest.approx(-0.5 * (np.add(first[0], force) @ back))
+
+
+def test_a_slide_counts_in_the_plane_amid_the_step_and_then_in_that_at_its_end() -> None:
+    store, small = kept(), 1e-9
+    rubbed(SLIPS, tilted(np.zeros(3)), RADIUS, MASS, store, 0, 0.01)
+    midway = 0.8 * TILT + 0.6 * SIDE
+    slide = small * (LEVEL + 3.0 * TILT)
+    seen = tilted(slide, midway)
+    force = rubbed(SLIPS, seen, RADIUS, MASS, store, 0, 0.01)[0]
+    went = slide - (midway @ slide) * midway
+    went = went - (TILT @ went) * TILT
+    stiff = 8.0 * G * math.sqrt(RADIUS * 1e-4)
+    assert force == pytest.approx(-stiff * went, rel=5e-3)
+
+
 def test_springs_that_all_hold_take_nothing_and_give_their_work_back() -> None:
     """Spring k reaches mu E/4G (U - s^2), which is small at the rim alone."""
     u, dt, store = 1e-4, 0.01, kept()
