@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from tests.engines.rigid.by_hand.test_free_motion import BASE, OTHER, begun, rate
-from tests.engines.rigid.by_hand.test_joints import jacobian, mobility, scattered
 from vv.engines.rigid.general.energy import add_work, add_works, arm_covariance
 from vv.engines.rigid.general.kernel import add_impulses, fill_forces, remove_penetration
 from vv.engines.rigid.general.lever_arms import act_at_midstep, difference, halfway, turned_back

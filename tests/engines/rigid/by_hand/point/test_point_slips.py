@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.engines.rigid.by_hand.test_point_trials import (
+from tests.engines.rigid.by_hand.point.test_point_trials import (
     ACROSS,
     BASE,
     NORMAL,

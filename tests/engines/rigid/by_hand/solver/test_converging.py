@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.engines.rigid.by_hand.test_joints import jacobian, mobility, scattered
-from tests.engines.rigid.by_hand.test_sweeps import rubbing
+from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
+from tests.engines.rigid.by_hand.solver.test_sweeps import rubbing
 from vv.engines.rigid.general import converge
 from vv.engines.rigid.limits import BLURRED, CHAIN, FIRMEST, OUTER, ROUNDS, SMALL, SOFT, SOFTEST
 from vv.engines.rigid.solver import rounds

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.engines.rigid.by_hand.test_joints import jacobian, mobility, scattered
+from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from vv.engines.rigid.solver.cone import (
     Friction,
     change_of,

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.engines.rigid.by_hand.test_joints import jacobian, mobility, scattered
-from tests.engines.rigid.by_hand.test_sweeps import MU, disc, nearest, rubbing
+from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
+from tests.engines.rigid.by_hand.solver.test_sweeps import MU, disc, nearest, rubbing
 from vv.engines.rigid.solver import drift
 from vv.engines.rigid.solver.drift import (
     AHEAD,

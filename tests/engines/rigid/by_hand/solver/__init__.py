@@ -1,0 +1,1 @@
+"""Claims about the contact solver of `rigid`, one kernel at a time."""
