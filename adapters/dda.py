@@ -80,7 +80,7 @@ SCHEMES = (
         "rigid contact: multipliers take over the forces of all springs, until gaps and slips are "
         "zero (Lin, Amadei, Jung and Dwyer 1996); a step starts from the velocity at the middle "
         "of the previous one, so that impacts have no rebound",
-        Method.FIRST_ORDER,
+        Method.STRAIGHT,
         TERMS - {Term.STRAIN, Term.STRAINED_START},
         KNOBS,
         observables=OBSERVABLES - {Strain},

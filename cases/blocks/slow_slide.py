@@ -107,6 +107,13 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
         Method.SECOND_ORDER: Tolerance(
             1e-9, "the trapezoidal rule follows a parabola, and the stop is found within its step"
         ),
+        Method.STRAIGHT: Tolerance(
+            min(0.25 / count**2, LARGEST_TOLERANCE),
+            "the step in which the block stops ends at rest: the displacement that is left then is "
+            "a(dt/2)^2/2 at most, (dt/T)^2/4 of the whole",
+            dt=stop / count,
+            order=2,
+        ),
         Method.FIRST_ORDER: Tolerance(
             1e-9, "friction acts with its value at the end of a step: an error of up to dt/T of "
             "the displacement", late=1 / stop

@@ -123,10 +123,10 @@ SINKS = Tolerance(
     kn=1e8,
     softness=1,
 )
+TURNS = Tolerance(1.2e-5, "an error of (lam dt)^2, lam = 3.5 1/s", dt=1e-3, order=2)
 JUDGED = {
-    Method.SECOND_ORDER: Tolerance(
-        1.2e-5, "an error of (lam dt)^2, lam = 3.5 1/s", dt=1e-3, order=2
-    ),
+    Method.SECOND_ORDER: TURNS,
+    Method.STRAIGHT: TURNS,
     Method.FIRST_ORDER: Tolerance(1.8e-3, "an error of lam dt/2, lam = 3.5 1/s", dt=1e-3, order=1),
     Method.PENALTY: SINKS,
     Method.LAGGING: SINKS,

@@ -133,6 +133,7 @@ def _judge(xi: float, held: float) -> Exact:
     rigid = {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, exact to rounding"),
         Method.SECOND_ORDER: second,
+        Method.STRAIGHT: second,
         Method.FIRST_ORDER: Tolerance(
             1e-2,
             "a start half a step late is an error of dt/2 in a second; twice that is allowed",

@@ -71,7 +71,7 @@ START, SPAN = 0.45, 5.0  # of the limit: where a search begins, and how far it g
 STEPS = 400
 FAR = 1e3  # amplitudes of one element alone; the slow drift of a block is at most 400 of them
 OTHERS = dict.fromkeys(
-    (Method.SECOND_ORDER, Method.FIRST_ORDER),
+    (Method.SECOND_ORDER, Method.FIRST_ORDER, Method.STRAIGHT),
     "the limit is that of a leapfrog; other methods have other limits",
 )
 FOUND = Exact(

@@ -135,7 +135,7 @@ SHARP = Tolerance(
     "shows from d = 5e-4 on",
 )
 OTHERS = dict.fromkeys(
-    (Method.SECOND_ORDER, Method.FIRST_ORDER),
+    (Method.SECOND_ORDER, Method.FIRST_ORDER, Method.STRAIGHT),
     "the limit is that of a leapfrog; other methods have other limits",
 )
 AS_LEAPFROGS = [method for method in Method if method not in OTHERS]

@@ -27,6 +27,7 @@ class Method(enum.Enum):
     LATE_LEAPFROG = "first order in dt, a leapfrog with forces half a step late"
     SECOND_ORDER = "second order in dt"
     FIRST_ORDER = "first order in dt"
+    STRAIGHT = "first order in dt, of second in positions where slip keeps its line"
     PENALTY = "penalty contact"
     DAMPED = "penalty contact, second order in dt by generalised alpha of radius 1/2"
     LAGGING = "penalty contact whose friction lags behind the load"
@@ -40,5 +41,6 @@ class Method(enum.Enum):
 _GENERAL = {
     Method.LEAPFROG: Method.SECOND_ORDER,
     Method.LATE_LEAPFROG: Method.FIRST_ORDER,
+    Method.STRAIGHT: Method.FIRST_ORDER,
     Method.DAMPED: Method.PENALTY,
 }

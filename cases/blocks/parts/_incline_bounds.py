@@ -23,7 +23,8 @@ STEADY = {
         1e-13, "only rounding errors of at most a few hundred located events remain"
     ),
     **dict.fromkeys(
-        (Method.SECOND_ORDER, Method.PENALTY, Method.LAGGING), Tolerance(1e-11, ROUNDED)
+        (Method.SECOND_ORDER, Method.STRAIGHT, Method.PENALTY, Method.LAGGING),
+        Tolerance(1e-11, ROUNDED),
     ),
 }
 
@@ -48,7 +49,11 @@ def along_dip(p: Parameters) -> Exact:
     steep = p["alpha"] + p["phi"]
     uphill = steep < 90 and p["A"] > p["g"] * np.tan(np.radians(steep))
     springs = _turning(p) if uphill else _stopping(p, ONE_WAY)
-    rigid = {Method.SECOND_ORDER: sine, Method.FIRST_ORDER: _half_steps(p)}
+    rigid = {
+        Method.SECOND_ORDER: sine,
+        Method.STRAIGHT: _whole_stops(p, sine),
+        Method.FIRST_ORDER: _half_steps(p),
+    }
     return Exact({**_on_springs(springs), **rigid})
 
 
@@ -69,6 +74,19 @@ def _half_steps(p: Parameters) -> Tolerance:
         "late, at the speed that shaking gives",
         late=1.2 * (1 / p["duration"] + float(speed) / _largest_slip(p)),
         slack="a scheme that starts in the middle of a step follows a parabola to rounding",
+    )
+
+
+def _whole_stops(p: Parameters, sine: Tolerance) -> Tolerance:
+    """For positions of second order, in steps that slip may begin and end within."""
+    cycles = max(1.0, p["f"] * p["duration"] if p["A"] else 0.0)
+    left = 2 * cycles * (p["A"] + _friction(p)) * STEP**2 / 8 / _largest_slip(p)
+    return dataclasses.replace(
+        sine,
+        value=min(sine.value + left, LARGEST_TOLERANCE),
+        reason="the sine has an error of (w dt)^2/12, of which twice is allowed. In each cycle "
+        "slip begins once and ends once within a step: the displacement that is left there is "
+        "a (dt/2)^2/2 at most, a the largest acceleration",
     )
 
 

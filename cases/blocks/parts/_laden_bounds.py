@@ -56,31 +56,39 @@ EXACTLY = Tolerance(1e-13, "no event; only rounding errors of Taylor series rema
 ROUNDED = Tolerance(
     1e-11, "no force acts in this direction; only rounding over 40 000 steps remains"
 )
+BOOKED = Tolerance(
+    3e-11,
+    "the ledger uses the same forces as the motion: only rounding errors of 40 000 steps remain",
+)
 DRIFTS = dict.fromkeys(Method, ROUNDED) | {Method.EXACT: EXACTLY}
+MEANS = Tolerance(
+    1e-6,
+    "a step uses the forces at its ends, or its middle: an error of (w dt)^2/12 in the part of the "
+    "displacement that the drives cause, which is 1 %",
+    dt=1e-3,
+    order=2,
+    floor=1e-11,
+)
+FOLLOWS = Tolerance(
+    1.5e-8,
+    "contact is rigid: the block follows the slope in all steps but the first. The gap of 1e-10 m "
+    "at the start is 7e-11 of its displacement",
+    dt=1e-3,
+    order=2,
+    floor=3e-10,
+)
 SLIPS = {
     Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        1e-6,
-        "a step uses the forces at its ends: an error of (w dt)^2/12 in the part of the "
-        "displacement that the drives cause, which is 1 %",
-        dt=1e-3,
-        order=2,
-        floor=1e-11,
-    ),
+    Method.SECOND_ORDER: MEANS,
+    Method.STRAIGHT: MEANS,
     Method.FIRST_ORDER: WHOLE,
     Method.PENALTY: SLOWED,
     Method.LAGGING: LATE,
 }
 RISES = {
     Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        1.5e-8,
-        "contact is rigid: the block follows the slope in all steps but the first. The gap of "
-        "1e-10 m at the start is 7e-11 of its displacement",
-        dt=1e-3,
-        order=2,
-        floor=3e-10,
-    ),
+    Method.SECOND_ORDER: FOLLOWS,
+    Method.STRAIGHT: FOLLOWS,
     Method.FIRST_ORDER: WHOLE,
     Method.PENALTY: SUNK,
     Method.LAGGING: SUNK,
@@ -113,11 +121,8 @@ BOOKS = {
         order=2,
         floor=3e-11,
     ),
-    Method.LAGGING: Tolerance(
-        3e-11,
-        "the ledger uses the same forces as the motion: only rounding errors of 40 000 "
-        "steps remain",
-    ),
+    Method.LAGGING: BOOKED,
+    Method.STRAIGHT: BOOKED,
 }
 
 

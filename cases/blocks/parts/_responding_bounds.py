@@ -21,6 +21,7 @@ LOST = {
 LOCATED = "rounding errors of a few hundred located events"
 EPS = float(np.finfo(float).eps)
 STEP, SPRING, MASS = 1e-3, 1e8, DENSITY * SIDE**3  # s, N/m, kg
+LEAST = 2e-9  # a bound: the tolerance with which reversals are located
 STICKS = 0.45  # of the base's acceleration: with less friction than that the block always slips
 
 
@@ -47,7 +48,8 @@ def reversal_error(p: Parameters) -> float:
 def in_plane(p: Parameters, path: Path) -> Exact:
     """Along the base; codes of first order are not judged where chance would decide."""
     first = _whole_steps(p)
-    return Exact(_tolerances(p, path) | first, not_judged={} if first else LOST)
+    within = _within_steps(p) if directions(p) == 1 else {}
+    return Exact(_tolerances(p, path) | first | within, not_judged={} if first else LOST)
 
 
 def vertical(p: Parameters) -> Exact:
@@ -67,6 +69,7 @@ def vertical(p: Parameters) -> Exact:
     return Exact({
         Method.EXACT: Tolerance(1e-12, LOCATED),
         Method.SECOND_ORDER: rests,
+        Method.STRAIGHT: rests,
         Method.FIRST_ORDER: Tolerance(
             1e-9,
             "the block follows the base half a step late",
@@ -120,6 +123,22 @@ def _whole_steps(p: Parameters) -> dict[Method, Tolerance]:
         slack="reversals fall on whole steps only if steps divide the period",
     )
     return {Method.FIRST_ORDER: bound} if late * STEP < LARGEST_TOLERANCE else {}
+
+
+def _within_steps(p: Parameters) -> dict[Method, Tolerance]:
+    """For friction that reverses within a step; empty if the bound at STEP is too large."""
+    value = max(reversal_error(p) * 2 * np.pi * p["f"] * STEP**2, LEAST)
+    if value > LARGEST_TOLERANCE:
+        return {}
+    bound = Tolerance(
+        float(value),
+        "slip reverses within a step, whose force is that of its middle: the block keeps an error "
+        "of speed of up to D w^3 dt^2 for pi D w/(2 mu g), the time in which friction removes it",
+        dt=STEP,
+        order=2,
+        floor=LEAST,
+    )
+    return {Method.STRAIGHT: bound}
 
 
 def _second(p: Parameters) -> Tolerance:
