@@ -138,6 +138,33 @@ def test_the_drag_of_a_fluid_is_that_at_the_mean_of_the_velocities_it_leads_to(
     assert (told.v[:3] == some.velocity).all()
 
 
+@pytest.mark.parametrize("size", [1e-6, 1e6])
+def test_the_drag_of_a_fluid_is_as_accurate_at_any_speed_and_ends_its_rounds(
+    size: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It has converged long before it may no longer go on."""
+    names: Any = plain(fluid.viscous).__globals__
+    original, rounds = names["resistance_at"], []
+
+    def counted(*given: Any) -> Any:
+        rounds.append(given)
+        return original(*given)
+
+    monkeypatch.setitem(names, "resistance_at", counted)
+    term = fluid.FluidDrag(np.full(3, 3.0), np.full(3, 20.0 / size), np.zeros((3, 3)))
+    told = motion()
+    told.v[:] *= size
+    told.push[:] *= 40.0 * size
+    push = told.push.copy()
+    plain(fluid.viscous)(term, bodies(), told, DT, NONE, NONE, None, 0.5)
+    force = told.push[:3] - push[:3]
+    mean = told.v[:3] + 0.5 * DT / MASS[:, None] * told.push[:3]
+    reynolds = 20.0 / size * np.linalg.norm(mean, axis=1)
+    due = -3.0 * (1.0 + 0.15 * reynolds**0.687)[:, None] * mean
+    assert force == pytest.approx(due, rel=1e-12, abs=0.0)
+    assert len(rounds) < 3 * fluid.ROUNDS - 9
+
+
 def scene(**changes: Any) -> Scene:
     """Two unlike spheres above a wall."""
     spheres = Spheres(

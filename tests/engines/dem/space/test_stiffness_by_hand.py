@@ -1,0 +1,208 @@
+"""Claims about the springs from which the largest stable step follows: truths by hand."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.support.plain import plain
+from vv.engines import dem
+from vv.engines.dem.critical_step import delay, highest_delay, highest_square
+from vv.engines.dem.space import neighbours, springs
+from vv.engines.dem.space.model import Space, space
+from vv.engines.dem.terms import bonds as of_bonds
+from vv.engines.dem.terms import near_contacts
+from vv.engines.dem.terms.bonds import Bonds as BondTerm
+from vv.engines.dem.terms.near_contacts import NearContacts
+from vv.scene import Bonds, Contact, Hertz, Scene, Spheres, Vector, Wall
+
+KN, KS = 1e5, 4e4
+ROUGH, SMOOTH = Contact(KN, KS, 0.5), Contact(KN)
+MASS, RADIUS = np.array([2.0, 0.7, 5.0]), np.array([0.4, 0.35, 0.3])
+ALL = np.ones((3, 3), bool)
+UP = np.array([0.0, 0.0, 1.0])
+
+
+def three(
+    gaps: tuple[float, float], contact: Contact, free: Any = ALL, turn: Any = ALL, **others: Any
+) -> Scene:
+    """Three unlike spheres in a row, oblique to the axes, with gaps between neighbours [m]."""
+    along = np.array([0.6, 0.48, 0.64])
+    away = np.cumsum([0.0, *(RADIUS[i] + RADIUS[i + 1] + gaps[i] for i in range(2))])
+    spheres = Spheres(np.outer(away, along), 0.0 * ALL, RADIUS, MASS, free, free_spin=turn)
+    return Scene((spheres,), contact, **others)
+
+
+def square(one: Scene) -> float:
+    return highest_square(space(one).state)
+
+
+def test_one_contact_swings_by_its_reduced_mass_or_by_what_slides_and_rolls() -> None:
+    """kn (1/m1 + 1/m2), or ks (1/m1 + 1/m2 + r1^2/I1 + r2^2/I2) of the pair that is quickest."""
+    inertia = three((1.0, 1.0), ROUGH).spheres.inertia
+    loose = 1.0 / MASS
+    rolling = loose + RADIUS**2 / inertia
+    assert square(three((1.0, 1.0), SMOOTH)) == pytest.approx(KN * (loose[0] + loose[1]))
+    due = KS * (rolling[0] + rolling[1])
+    assert due > KN * (loose[0] + loose[1])
+    assert square(three((1.0, 1.0), ROUGH)) == pytest.approx(due)
+    stiff = dataclasses.replace(ROUGH, ks=1e3)
+    assert square(three((1.0, 1.0), stiff)) == pytest.approx(KN * (loose[0] + loose[1]))
+
+
+def test_contacts_that_are_closed_at_first_swing_together() -> None:
+    """The middle one of three has springs on both sides."""
+    matrix = KN * np.array([[1.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 1.0]])
+    due = np.linalg.eigvalsh(matrix / np.sqrt(np.outer(MASS, MASS)))[-1]
+    assert square(three((-1e-3, 0.0), SMOOTH)) == pytest.approx(due)
+    assert square(three((-1e-3, 1e-6), SMOOTH)) == pytest.approx(KN * (1 / 2.0 + 1 / 0.7))
+
+
+def test_a_sphere_that_is_held_moves_nothing_and_a_locked_one_in_part() -> None:
+    held = ALL.copy()
+    held[1] = False
+    one = three((-1e-3, 1.0), SMOOTH, held, held)
+    assert square(one) == pytest.approx(KN * (1 / MASS[0] + 1 / MASS[2]))  # these may meet
+    part = ALL.copy()
+    part[0] = [True, False, False]
+    due = KN * (0.36 / MASS[0] + 1 / MASS[1])
+    closed = three((-1e-3, -1e-3), SMOOTH, part)
+    assert square(closed) > due
+
+
+@pytest.mark.parametrize("spheres", [20, 90])
+def test_a_chain_swings_as_its_band_says_by_a_full_and_by_a_sparse_matrix(spheres: int) -> None:
+    """Equal masses on springs in a row: 2 kn/m (1 + cos(pi/n))."""
+    place = np.outer(np.arange(spheres) * 0.999, UP)
+    ones = np.ones(spheres)
+    free = np.ones((spheres, 3), bool)
+    row = Spheres(place, 0.0 * place, 0.5 * ones, 2.0 * ones, free)
+    due = 2.0 * KN / 2.0 * (1.0 + math.cos(math.pi / spheres))
+    assert square(Scene((row,), SMOOTH)) == pytest.approx(due, rel=2e-4)
+
+
+def test_springs_of_contacts_are_those_of_pairs_and_of_walls_as_ground() -> None:
+    """An overlap, a gap that is rounding, and a gap; the smaller radius counts."""
+    rows, n = np.array([[0, 1], [1, 2], [0, 2]]), np.array([[3.0, 0.0, 4.0], UP, -2.0 * UP])
+    gap, radii = np.array([-1e-3, 0.9e-9, 1.1e-9]), np.array([[1.0, 2.0], [3.0, 1.0], [1.0, 4.0]])
+    found, closed = springs.springs_of_contacts(rows, n, gap, radii, KN, KS)
+    assert (found.rows == rows).all()
+    assert found.n == pytest.approx(np.array([[0.6, 0.0, 0.8], UP, -UP]))
+    assert (found.kn == KN).all()
+    assert (found.ks == KS).all()
+    assert (found.arms == radii).all()
+    assert closed.tolist() == [True, True, False]
+    walls, shut = springs.springs_of_contacts(rows[:, 0], n, gap, radii[:, 1], KN, KS)
+    assert (walls.rows == [[springs.GROUND, i] for i in (0, 1, 0)]).all()
+    assert (walls.arms == radii[:, 1:]).all()
+    assert shut.tolist() == [True, True, True]
+
+
+BONDS = Bonds(
+    np.array([[1, 0], [1, 2]]), np.array([0.7, 0.66]), np.array([3e4, 7e4]), np.array([2e4, 0.0])
+)
+
+
+def test_springs_of_bonds_reach_to_amid_the_surfaces_and_all_exist() -> None:
+    one: Space = space(three((0.02, 0.03), SMOOTH, bonds=BONDS))
+    found, there = of_bonds.springs(one.state.term(BondTerm), None)
+    assert there.all()
+    assert found.kn == pytest.approx([3e4, 7e4])
+    assert found.ks == pytest.approx([2e4, 0.0])
+    assert found.arms == pytest.approx(np.array([[0.41, 0.36], [0.365, 0.315]]))
+    assert found.n == pytest.approx(np.tile([0.6, 0.48, 0.64], (2, 1)))
+
+
+def near_of(one: Scene) -> tuple[NearContacts, Any, Any]:
+    state = space(one).state
+    return state.term(NearContacts), state.near, state.bodies
+
+
+def test_contacts_beside_bonds_are_those_of_pairs_that_no_bond_joins() -> None:
+    """The last two overlap and are bonded, the outer two overlap and are not."""
+    some = three((-0.4, -0.35), ROUGH, bonds=BONDS)
+    term, near, _ = near_of(some)
+    found, closed = near_contacts.springs(term, near)
+    assert len(found.kn) == 1
+    assert sorted(found.rows[0].tolist()) == [0, 2]
+    assert closed.all()
+
+
+@pytest.mark.parametrize("held", [0, 1])
+def test_where_bonds_that_hold_join_all_pairs_no_contact_counts(held: int) -> None:
+    """Pairs of spheres that cannot move need no bond; where one may break, contacts may close."""
+    free = ALL.copy()
+    free[:held] = False
+    pairs = np.array([[0, 1], [1, 2], [0, 2]])
+    length, k = np.array([0.7, 0.66, 1.4]), np.full(3, 3e4)
+
+    def fastest(many: int, may_break: int = 0) -> float:
+        tie = Bonds(pairs[:many], length[:many], k[:many], k[:many])
+        term, near, moving = near_of(three((0.02, 0.03), SMOOTH, free, free, bonds=tie))
+        frail = near._replace(broken=np.zeros(may_break, np.uint8))
+        return near_contacts.highest_square(term, frail, moving)
+
+    assert fastest(3) == 0.0
+    due = KN * np.sort(1.0 / MASS[held:])[-2:].sum()
+    assert fastest(2) == pytest.approx(due)
+    assert fastest(3, may_break=3) == pytest.approx(due)
+
+
+def test_a_delay_is_the_viscosity_over_the_stiffness() -> None:
+    """With Hertz, 2 z over the frequency; without a frequency there is none."""
+    assert delay(three((1.0, 1.0), Contact(KN, eta_n=30.0)), 4.0) == pytest.approx(30.0 / KN)
+    elastic = three((1.0, 1.0), Contact(0.0, hertz=Hertz(1e8, 8e7, 0.2)))
+    assert delay(elastic, 16.0) == pytest.approx(0.1)
+    assert delay(elastic, 0.0) == 0.0
+    assert highest_delay(three((1.0, 1.0), Contact(KN, eta_n=30.0))) == pytest.approx(30.0 / KN)
+
+
+@pytest.mark.parametrize("leapfrog", [dem.CENTRED, dem.LAGGED])
+def test_drag_and_dashpots_that_lag_shorten_the_largest_step_together(leapfrog: Any) -> None:
+    """The smallest mass of all counts for drag."""
+    scene = three((-1e-3, 1.0), Contact(KN, eta_n=30.0), eta=9.0)
+    w2 = KN * (1.0 / 2.0 + 1.0 / 0.7)
+    n = 0.5 * (9.0 / 0.7 + 30.0 / KN * w2) * (2.0 * leapfrog.lag - 1.0)
+    due = 2.0 / (math.sqrt(n * n + w2) + n)
+    assert dem.critical_step(scene, leapfrog) == pytest.approx(due)
+
+
+def sorted_cells(place: Vector, edge: float) -> Any:
+    return plain(neighbours.cells)(place, edge)
+
+
+@pytest.mark.parametrize("corner", [[0.0, 0.0, 0.0], [7.0, -9.0, 30.0]])
+def test_cells_are_as_many_as_fit_but_not_many_more_than_spheres(corner: Any) -> None:
+    """At most twice the cube root of their number, and one, along an axis."""
+    place = np.random.default_rng(3).uniform(size=(64, 3)) * [3.0, 0.5, 40.0]
+    place[0], place[1] = 0.0, [3.0, 0.5, 40.0]
+    place += corner
+    count, cell, first, following = sorted_cells(place, 0.7)
+    assert count.tolist() == [4, 1, 2 * int(64 ** (1 / 3)) + 1]
+    low, high = place.min(axis=0), place.max(axis=0)
+    due = np.minimum(((place - low) / (high - low) * count).astype(int), count - 1)
+    assert (cell.reshape(-1, 3) == due).all()
+    assert len(first) == count.prod()
+    seen = []
+    for k, begun in enumerate(first.tolist()):
+        chain, i = [], begun
+        while i >= 0:
+            chain.append(i)
+            i = int(following[i])
+        assert chain == sorted(chain)
+        assert all((due[j] @ [count[1] * count[2], count[2], 1]) == k for j in chain)
+        seen += chain
+    assert sorted(seen) == list(range(64))
+
+
+def test_a_wall_is_ground_for_the_step() -> None:
+    spheres = three((1.0, 1.0), SMOOTH).spheres
+    wall = Wall(np.array([0.0, 0.0, -0.4]), UP)
+    alone = Scene((wall, spheres.part(slice(0, 1))), ROUGH)
+    inertia = float(spheres.inertia[0])
+    due = max(KN / 2.0, KS * (1.0 / 2.0 + 0.16 / inertia))
+    assert square(alone) == pytest.approx(due)
