@@ -1,0 +1,114 @@
+"""Claims about the lanes and batches of contacts, and about rounds that solve them all."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.engines.rigid.by_hand.solver.test_band import linked
+from tests.engines.rigid.by_hand.solver.test_joints import scattered
+from tests.engines.rigid.by_hand.solver.test_sweeps import rubbing
+from vv.engines.rigid.general.converge import polish
+from vv.engines.rigid.limits import STIFF
+from vv.engines.rigid.solver.cone import residual
+from vv.engines.rigid.solver.newton import newton_round
+from vv.engines.rigid.solver.rounds import newton_rounds
+from vv.engines.rigid.solver.seats import DEPTH, LANES, runs, seated
+from vv.scene import Vector
+
+pytestmark = pytest.mark.usefixtures("in_python")
+
+
+def test_a_run_is_of_one_pair_of_bodies_and_not_too_long() -> None:
+    pairs = [(0, 1)] * 3 + [(0, 2)] * (DEPTH + 2) + [(1, 2), (0, 2), (1, 0), (1, 0)]
+    joints, _ = linked(pairs, 3)
+    joints.across[:] = 1.0
+    joints.across[[1, len(pairs) - 1]] = 0.0
+    run, begin = runs(joints)
+    long = [1] * DEPTH + [2, 2]
+    assert run.tolist() == [0, -1, 0, *long, 3, 4, 5, -1]
+    assert begin.tolist() == [0, 3, 3 + DEPTH, 5 + DEPTH, 6 + DEPTH, 7 + DEPTH]
+    joints.across[:] = 0.0
+    assert [x.tolist() for x in runs(joints)] == [[-1] * len(pairs), []]
+    joints.across[-1] = 1e-9
+    assert runs(joints)[1].tolist() == [len(pairs) - 1]
+
+
+def test_the_longest_runs_sit_first_and_share_no_moving_body() -> None:
+    """Runs of 1, 3 and 2 contacts; body 4 is a wall, which any number of lanes may share."""
+    pairs = [(0, 1)] + [(4, 2)] * 3 + [(0, 2)] * 2 + [(4, 0)] * 2 + [(4, 3)] * 2
+    joints, bodies = linked(pairs, 4)
+    joints.across[:] = 1.0
+    seat, depth = seated(joints, bodies, *runs(joints))
+    assert seat.tolist() == [2 * LANES, 0, LANES, 1, 2]
+    assert depth.tolist() == [3, 2, 1]
+
+
+def test_a_batch_that_is_full_is_followed_by_another() -> None:
+    """Of 2 LANES + 3 blocks on a wall; a pair of the first two fits beside the others."""
+    many = 2 * LANES + 3
+    pairs = [(many, k) for k in range(many)] + [(0, 1)]
+    joints, bodies = linked(pairs, many)
+    joints.across[:] = 1.0
+    seat, depth = seated(joints, bodies, *runs(joints))
+    assert seat.tolist() == [*range(many), 2 * LANES + 3]
+    assert depth.tolist() == [1, 1, 1]
+
+
+def pressed(seed: int) -> tuple[Any, ...]:
+    """Three blocks thrown at one another and a wall, with friction and no impulses yet."""
+    joints, bodies = scattered(seed)
+    friction = rubbing(seed, slides=False)
+    v, w = np.random.default_rng(seed).normal(size=(2, 4, 3))
+    return np.zeros((6, 3)), joints, bodies, friction, v, w
+
+
+def at_contacts(p: Vector, given: Any) -> float:
+    """The residual."""
+    return residual(p, given[1], given[3], given[4], given[5])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_rounds_of_newton_steps_solve_contacts(seed: int) -> None:
+    for way in ("polish", "rounds"):
+        given: Any = pressed(seed)
+        p, place = given[0], np.array([2, 0, 1])
+        left = at_contacts(p, given)
+        assert left > 0.1
+        args: Any = (*given, 1e-10, left, place, STIFF)
+        if way == "rounds":
+            args = (*given, 1e-10, place)
+        found = polish(*args) if way == "polish" else newton_rounds(*args)
+        assert found == pytest.approx(at_contacts(p, given), abs=1e-14)
+        assert found <= 1e-10
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
+def test_a_round_does_not_know_the_unit_of_length(unit: float) -> None:
+    """Velocities, arms and needs in another unit give the impulses in that unit."""
+    found = []
+    for size in (1.0, unit):
+        p, joints, bodies, friction, v, w = pressed(1)
+        joints = joints._replace(
+            arm_first=size * joints.arm_first, arm_second=size * joints.arm_second
+        )
+        bodies = bodies._replace(inverse_spin=bodies.inverse_spin / size**2)
+        friction = friction._replace(need=size * friction.need)
+        q = np.zeros((6, 3))
+        met = newton_round(
+            p, q, joints, bodies, friction, size * v, w, 1e-9 * size, 100.0, np.arange(3)
+        )
+        assert met
+        found.append(p / size)
+    assert np.abs(found[0]).max() > 0.01
+    assert found[1] == pytest.approx(found[0], rel=1e-9, abs=1e-12)
+
+
+def test_a_round_says_whether_it_converged() -> None:
+    p, joints, bodies, friction, v, w = pressed(2)
+    q = np.zeros((6, 3))
+    given = (p, q, joints, bodies, friction, v, w)
+    assert newton_round(*given, 1e-9, 100.0, np.arange(3))
+    assert not newton_round(*given, 0.0, 100.0, np.arange(3))
