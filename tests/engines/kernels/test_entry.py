@@ -2,7 +2,9 @@
 
 import sys
 from collections.abc import Iterator
+from ctypes import c_int32
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -147,7 +149,37 @@ ELSEWHERE = ({"ITEMS": "SHAPE"}, {"DATA": "AXES"}, {"AXES": "DATA"}, {"SHAPE": "
 
 
 def test_arrays_and_tuples_lie_in_memory_as_kernels_read_them() -> None:
-    assert layout.is_known()
+    assert layout.is_known.__wrapped__()
+    for array in (np.ones((4, 2, 3)), np.arange(24.0).reshape(2, 3, 4)[:, ::2, 1:]):
+        assert layout.array_is_known(array)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("sys", SimpleNamespace(implementation=SimpleNamespace(name="pypy"))), ("POINTER", c_int32)],
+)
+def test_another_python_or_another_size_of_pointers_is_not_known(
+    name: str, value: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(layout, name, value)
+    assert not layout.is_known.__wrapped__()
+
+
+@pytest.mark.parametrize("name", ["DATA", "SHAPE", "STRIDES"])
+def test_no_word_is_read_behind_the_end_of_an_array_object(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    end, read = np.ndarray.__basicsize__, list[int]()
+
+    def word(one: object, offset: int) -> int:
+        read.append(offset)
+        return 0
+
+    monkeypatch.setattr(layout, "word", word)
+    for beyond in (-7, 0, 8):
+        monkeypatch.setattr(layout, name, end + beyond)
+        assert not layout.array_is_known(np.ones(3))
+    assert not read
 
 
 @pytest.mark.parametrize("unknown", ELSEWHERE, indirect=True)

@@ -104,6 +104,16 @@ def test_an_overlap_that_is_rounding_counts_as_none(part: float, first: bool) ->
     assert (found == pytest.approx(viscosity(before + way), rel=1e-3)) != first
 
 
+def test_a_contact_closes_at_the_earliest_as_a_step_begins() -> None:
+    """An overlap before it that is rounding changes nothing, nor does one that is not there."""
+    way, law = 1e-4, Elastic(E, None, Z, (0.0, 0.0))
+    overlap = way * (1.0 + 0.9 * TOUCHES)
+    found = damped(law, 0.9 * TOUCHES * way, overlap, RADIUS, MASS)
+    first = plain(hertz.first_step_factor)(1.0)
+    assert found == pytest.approx(first * viscosity(overlap), rel=1e-12)
+    assert plain(linear.closing_factor)(2e-4, 1e-4) == 1.5
+
+
 def test_what_has_no_damping_has_no_viscosity() -> None:
     assert plain(hertz.viscosity)(E, None, 1e-4, RADIUS, MASS) == 0.0
     assert damped(Elastic(E, None, None, (0.0, 0.0)), 1e-5, 1e-4, RADIUS, MASS) == 0.0

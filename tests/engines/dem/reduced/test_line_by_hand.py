@@ -137,6 +137,7 @@ def ended(one: One, rate: float) -> tuple[int, Vector, Vector]:
         (One(0.5, force=0.8), 0.5 * M * 0.25),
         (One(-0.5, force=0.8), 0.5 * M * 0.25),
         (One(0.9, friction=(2e3, 0.4)), 0.5 * M * 0.81),
+        (One(0.9, friction=(2.0, 0.4)), 0.5 * M * 0.81),
     ],
 )
 def test_a_run_ends_where_it_holds_four_times_what_was_put_in(one: One, start: float) -> None:
