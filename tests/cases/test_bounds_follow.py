@@ -1,0 +1,31 @@
+"""Claims that bounds follow the parameters: runs that are right pass where draws found them red."""
+
+import pytest
+
+from tests.findings.figures import PROJECT, asked
+from tests.support.installed import require
+from vv.ask import Status
+from vv.case import Level
+from vv.records.outcomes import Verdict
+from vv.records.record import measured
+
+RIGHT = {
+    "knife-edge:topples crossing=31 mu=2.19 duration=0.178": "dda/default",
+    "knife-edge:topples g=19.1 duration=0.259": "dda/default",
+    "painleve:mu-0.8 half=2.23 g=20.8 m=262": "dda/default",
+    "painleve:mu-0.8 mu=0.89 slope=2.25 half=0.727 V=1.9 g=8.6 m=91.6": "dda/lagged",
+    "painleve:mu-0.8 slope=1.72 g=25.5 m=104": "dda/published",
+    "painleve:mu-2 slope=0.735": "rigid/default",
+    "painleve:mu-2 mu=1.29 V=0.87": "dda/augmented-lagrangian",
+}
+
+
+@pytest.mark.parametrize(("name", "scheme"), RIGHT.items(), ids=RIGHT)
+def test_what_is_right_passes_at_other_parameters_too(name: str, scheme: str) -> None:
+    require(PROJECT.load_adapter(scheme.partition("/")[0]))
+    for at in (None, Level.QUICK):  # the first and the last setting
+        one = asked(name, scheme, at)
+        assert one.run.status is Status.RAN
+        method = one.scheme.method_for(one.ask.scene.terms())
+        found = [measured(one.run, it, method, one.ask.knobs)[0] for it in one.trial.quantities]
+        assert {it.name for it in found if it.verdict is Verdict.FAIL} == set()
