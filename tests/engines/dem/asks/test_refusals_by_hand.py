@@ -13,9 +13,9 @@ from vv.ask import Ask, Displacement, History, Knobs, Reaction
 from vv.engines import dem
 from vv.engines.dem.deepest import deepest
 from vv.engines.dem.idle import idle
-from vv.engines.dem.refusals import refuses, unstable
+from vv.engines.dem.refusals import refuses, unstable, wants_all
 from vv.engines.dem.rows import projected, projectors
-from vv.scene import Contact, Scene, Spheres, Term, Wall
+from vv.scene import Contact, Form, Scene, Spheres, Term, Wall
 from vv.scene.scene import LOCKED_SPEED
 
 KN, MASS, RADIUS = 1e5, np.array([2.0, 0.7, 5.0]), np.array([0.4, 0.35, 0.3])
@@ -88,7 +88,7 @@ def test_a_reaction_is_known_of_bodies_that_can_move_or_turn_or_are_carried(free
     assert "the reaction on body 0, which cannot move, is not modelled" in (told[0] or "")
 
 
-@pytest.mark.parametrize("leapfrog", [dem.CENTRED, dem.LAGGED])
+@pytest.mark.parametrize("leapfrog", [dem.CENTRED, dem.LAGGED, dem.Leapfrog(0.52, 0.5)])
 @pytest.mark.parametrize(
     ("contact", "eta"), [(Contact(KN), 0.0), (Contact(KN), 9.0), (Contact(KN, eta_n=30.0), 0.0)]
 )
@@ -100,13 +100,20 @@ def test_a_step_beyond_the_largest_stable_one_is_told_with_its_rule(
     assert unstable(asked(one, limit), leapfrog) is None
     told = unstable(asked(one, 1.0001 * limit), leapfrog)
     assert told is not None
-    late = leapfrog is dem.LAGGED and (eta > 0.0 or contact.viscous)
+    late = leapfrog is not dem.CENTRED and (eta > 0.0 or contact.viscous)
     assert ("sqrt(n^2 + w^2)" in told) == late
     assert f"largest stable step {limit:.6g} s" in told
     assert f"{0.35 * limit:.3g} s is stable" in told
     assert dem.safe_step(one, leapfrog) == pytest.approx(0.35 * limit)
     never = dataclasses.replace(asked(one), knobs=Knobs())
     assert unstable(never, leapfrog) is None
+
+
+def test_energies_and_reactions_ask_for_the_general_model() -> None:
+    plain = asked(scene())
+    assert not wants_all(plain)
+    assert wants_all(dataclasses.replace(plain, energies=(Form.DRAG,)))
+    assert wants_all(asked(scene(), what=Reaction(0)))
 
 
 def test_what_changes_nothing_that_is_seen_is_idle() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from vv.ask import Displacement, Velocity
-from vv.engines.dem.line.model import ALIGNED, Line, line
+from vv.engines.dem.line.model import ALIGNED, ROUNDING, Line, line
 from vv.engines.dem.pressed.model import Pressed, pressed
 from vv.scene import Contact, Harmonic, Scene, Spheres, Term, Vector, Wall
 
@@ -17,6 +17,7 @@ NORMAL, TANGENT = np.array([0.6, 0.0, 0.8]), np.array([0.8, 0.0, -0.6])
 ACROSS = np.array([0.0, 1.0, 0.0])
 AXES = np.array([NORMAL, TANGENT, ACROSS])
 ROUGH = Contact(1e4, 8e3, 0.3)
+CORNER = np.array([1.0, -2.0, 3.0])  # a point of the wall
 GRAVITY, LOAD = np.array([1.0, 2.0, -9.0]), np.array([4.0, 0.0, 3.0])
 
 
@@ -24,11 +25,12 @@ def scene(free: list[bool], contact: Contact = ROUGH, deep: float = 0.02, **othe
     """A sphere of 3 kg and 0.5 m that overlaps an oblique wall, free along some of the axes."""
     at = np.array([free])
     sphere = Spheres(
-        ((0.5 - deep) * NORMAL + [0.0, 7.0, 0.0])[None], (at[0] * [-1.0, 2.0, 0.5]) @ AXES[None],
+        (CORNER + (0.5 - deep) * NORMAL + 7.0 * ACROSS)[None],
+        (at[0] * [-1.0, 2.0, 0.5]) @ AXES[None],
         np.array([0.5]), np.array([3.0]), at, load=LOAD[None],
     )  # fmt: skip
     given = {"gravity": GRAVITY, "axes": AXES, **others}
-    wall = Wall(np.zeros(3), NORMAL, given.pop("motion", None))
+    wall = Wall(CORNER, NORMAL, given.pop("motion", None))
     return Scene((wall, sphere), contact, **given)
 
 
@@ -84,6 +86,31 @@ def test_a_sphere_on_its_own_moves_along_its_line() -> None:
     ))))).state.force == 0.0  # fmt: skip
 
 
+@pytest.mark.parametrize(("part", "acts"), [(0.5, False), (2.0, True)])
+def test_a_component_of_a_force_that_is_rounding_does_not_act(part: float, acts: bool) -> None:
+    """It is compared with the whole force, of which it is 1e-14."""
+    one = scene([False, True, False])
+    (_, sphere) = one.bodies
+    assert isinstance(sphere, Spheres)
+    heavy = dataclasses.replace(sphere, load=np.zeros((1, 3)), mass=np.array([3e6]))
+    across = 10.0 * ACROSS + part * ROUNDING * 10.0 * TANGENT
+    found = built(line(dataclasses.replace(one, bodies=(heavy,), gravity=across)))
+    assert (found.state.force is not None) == acts
+    assert (Term.GRAVITY in found.terms) == acts
+
+
+def test_potentials_are_the_works_of_weight_and_load_reversed_and_never_minus_zero() -> None:
+    found = built(line(scene([True, False, False], Contact(1e4))))
+    path, energy = np.array([[0.0, 1.0], [2.0, 3.0]]), np.arange(12.0).reshape(2, 6)
+    held = found.held(path, energy)
+    q = path[:, 0]
+    potentials = -q * found.weight, -q * found.load
+    assert held == pytest.approx(np.column_stack([energy[:, :5], *potentials]))
+    beside = on_wall(pressed(scene([True, True, False], shaking=WAVE)))
+    for table in (held, beside.held(0.0 * np.ones((2, 4)), 0.0 * np.ones((2, 8)))):
+        assert not np.signbit(table[0]).any()
+
+
 def beside(distance: float, held_first: bool, along: Vector) -> Scene:
     """Two spheres, one of which is held; the other is free along one axis."""
     place = np.array([np.zeros(3), distance * along])
@@ -116,7 +143,7 @@ def test_a_sphere_that_meets_another_is_pushed_away_from_it(held_first: bool) ->
     assert not found.observed(path, 0, rests, Velocity(0)).any()
 
 
-@pytest.mark.parametrize(("slope", "serves"), [(0.4 * ALIGNED, True), (2.0 * ALIGNED, False)])
+@pytest.mark.parametrize(("slope", "serves"), [(0.9 * ALIGNED, True), (1.1 * ALIGNED, False)])
 def test_a_motion_along_a_normal_or_a_wall_is_so_but_for_rounding(
     slope: float, serves: bool
 ) -> None:
@@ -124,11 +151,11 @@ def test_a_motion_along_a_normal_or_a_wall_is_so_but_for_rounding(
     assert (line(beside(0.9, True, tilted)) is not None) == serves
     for free in ([True, False, False], [False, True, False]):
         one = scene(free)
-        wall = Wall(np.zeros(3), tilted / np.linalg.norm(tilted))
+        wall = Wall(CORNER, tilted / np.linalg.norm(tilted))
         assert (line(dataclasses.replace(one, bodies=(wall, one.bodies[1]))) is not None) == serves
     flat = scene([True, True, False])
     leaning = NORMAL + slope * ACROSS
-    wall = Wall(np.zeros(3), leaning / np.linalg.norm(leaning))
+    wall = Wall(CORNER, leaning / np.linalg.norm(leaning))
     assert (pressed(dataclasses.replace(flat, bodies=(wall, flat.bodies[1]))) is not None) == serves
 
 

@@ -134,6 +134,10 @@ ENDING = {
         Two((0.4, 0.3), (0.0, 0.0), -0.02, (50.0, 0.4, 4.0)),
         MOVING + PRESSED + 0.5 * 4.0**2 / 50.0,
     ),
+    "on soft springs": (
+        Two((0.0, 0.5), (-KN * 0.02, 0.0), -0.02, (50.0, 100.0, 0.0)),
+        MOVING + PRESSED,
+    ),
     "loaded": (Two((0.4, 0.3), (0.5, 0.7), 0.1), MOVING),
     "loaded backwards": (Two((0.4, 0.3), (-0.1, -0.2), 0.5), MOVING),
     "shaken": (Two((0.0, 0.5), (0.0, 0.0), 0.1, shaking=PUSHED), MOVING),

@@ -10,15 +10,12 @@ import numpy as np
 import pytest
 import scipy.sparse.linalg
 
-from tests.support.plain import plain
 from vv.engines import dem
 from vv.engines.dem.critical_step import CLOSE, DENSE, delay, highest_delay, highest_square
-from vv.engines.dem.space import neighbours, springs
+from vv.engines.dem.space import springs
 from vv.engines.dem.space.model import Space, space
 from vv.engines.dem.terms import bonds as of_bonds
-from vv.engines.dem.terms import near_contacts
 from vv.engines.dem.terms.bonds import Bonds as BondTerm
-from vv.engines.dem.terms.near_contacts import NearContacts
 from vv.scene import Bonds, Contact, Hertz, Scene, Spheres, Vector, Wall
 
 KN, KS = 1e5, 4e4
@@ -165,41 +162,6 @@ def test_springs_of_bonds_reach_to_amid_the_surfaces_and_all_exist() -> None:
     assert found.n == pytest.approx(np.tile([0.6, 0.48, 0.64], (2, 1)))
 
 
-def near_of(one: Scene) -> tuple[NearContacts, Any, Any]:
-    state = space(one).state
-    return state.term(NearContacts), state.near, state.bodies
-
-
-def test_contacts_beside_bonds_are_those_of_pairs_that_no_bond_joins() -> None:
-    """The last two overlap and are bonded, the outer two overlap and are not."""
-    some = three((-0.4, -0.35), ROUGH, bonds=BONDS)
-    term, near, _ = near_of(some)
-    found, closed = near_contacts.springs(term, near)
-    assert len(found.kn) == 1
-    assert sorted(found.rows[0].tolist()) == [0, 2]
-    assert closed.all()
-
-
-@pytest.mark.parametrize("held", [0, 1])
-def test_where_bonds_that_hold_join_all_pairs_no_contact_counts(held: int) -> None:
-    """Pairs of spheres that cannot move need no bond; where one may break, contacts may close."""
-    free = ALL.copy()
-    free[:held] = False
-    pairs = np.array([[0, 1], [1, 2], [0, 2]])
-    length, k = np.array([0.7, 0.66, 1.4]), np.full(3, 3e4)
-
-    def fastest(many: int, may_break: int = 0) -> float:
-        tie = Bonds(pairs[:many], length[:many], k[:many], k[:many])
-        term, near, moving = near_of(three((0.02, 0.03), SMOOTH, free, free, bonds=tie))
-        frail = near._replace(broken=np.zeros(may_break, np.uint8))
-        return near_contacts.highest_square(term, frail, moving)
-
-    assert fastest(3) == 0.0
-    due = KN * np.sort(1.0 / MASS[held:])[-2:].sum()
-    assert fastest(2) == pytest.approx(due)
-    assert fastest(3, may_break=3) == pytest.approx(due)
-
-
 def test_a_delay_is_the_viscosity_over_the_stiffness() -> None:
     """With Hertz, 2 z over the frequency; without a frequency there is none."""
     assert delay(three((1.0, 1.0), Contact(KN, eta_n=30.0)), 4.0) == pytest.approx(30.0 / KN)
@@ -217,34 +179,6 @@ def test_drag_and_dashpots_that_lag_shorten_the_largest_step_together(leapfrog: 
     n = 0.5 * (9.0 / 0.7 + 30.0 / KN * w2) * (2.0 * leapfrog.lag - 1.0)
     due = 2.0 / (math.sqrt(n * n + w2) + n)
     assert dem.critical_step(scene, leapfrog) == pytest.approx(due)
-
-
-def sorted_cells(place: Vector, edge: float) -> Any:
-    return plain(neighbours.cells)(place, edge)
-
-
-@pytest.mark.parametrize("corner", [[0.0, 0.0, 0.0], [7.0, -9.0, 30.0]])
-def test_cells_are_as_many_as_fit_but_not_many_more_than_spheres(corner: Any) -> None:
-    """At most twice the cube root of their number, and one, along an axis."""
-    place = np.random.default_rng(3).uniform(size=(64, 3)) * [3.0, 0.5, 40.0]
-    place[0], place[1] = 0.0, [3.0, 0.5, 40.0]
-    place += corner
-    count, cell, first, following = sorted_cells(place, 0.7)
-    assert count.tolist() == [4, 1, 2 * int(64 ** (1 / 3)) + 1]
-    low, high = place.min(axis=0), place.max(axis=0)
-    due = np.minimum(((place - low) / (high - low) * count).astype(int), count - 1)
-    assert (cell.reshape(-1, 3) == due).all()
-    assert len(first) == count.prod()
-    seen = []
-    for k, begun in enumerate(first.tolist()):
-        chain, i = [], begun
-        while i >= 0:
-            chain.append(i)
-            i = int(following[i])
-        assert chain == sorted(chain)
-        assert all((due[j] @ [count[1] * count[2], count[2], 1]) == k for j in chain)
-        seen += chain
-    assert sorted(seen) == list(range(64))
 
 
 def test_a_wall_is_ground_for_the_step() -> None:

@@ -1,0 +1,143 @@
+"""Claims about how the general model places spheres, walls, cells and bonds: by hand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.engines.dem.space.test_stiffness_by_hand import (
+    ALL,
+    BONDS,
+    KN,
+    KS,
+    RADIUS,
+    ROUGH,
+    SMOOTH,
+    UP,
+    three,
+)
+from tests.support.plain import plain
+from vv.engines.dem.bonds.block_forces import SCRATCH
+from vv.engines.dem.bonds.blocks import WIDE
+from vv.engines.dem.contact.law import NO_FRICTION
+from vv.engines.dem.space import neighbours
+from vv.engines.dem.space.model import space
+from vv.engines.dem.space.placed import placed
+from vv.engines.dem.terms import bonds as of_bonds
+from vv.engines.dem.terms import wall_contacts
+from vv.scene import Contact, Harmonic, Scene, Vector, Wall
+
+
+@pytest.mark.parametrize("corner", [[0.0, 0.0, 0.0], [7.0, -9.0, 30.0]])
+def test_cells_are_as_many_as_fit_but_not_many_more_than_spheres(
+    corner: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At most twice the cube root of their number, and one, along an axis; arrays begin as any."""
+    sort: Any = plain(neighbours.cells)
+    monkeypatch.setitem(sort.__globals__, "counts", lambda n: np.full(n, 99))
+    place = np.random.default_rng(3).uniform(size=(70, 3)) * [3.0, 0.5, 40.0]
+    place[0], place[1] = 0.0, [3.0, 0.5, 40.0]
+    place += corner
+    count, cell, first, following = sort(place, 0.7)
+    assert count.tolist() == [4, 1, 9]
+    low, high = place.min(axis=0), place.max(axis=0)
+    due = np.minimum(((place - low) / (high - low) * count).astype(int), count - 1)
+    assert (cell.reshape(-1, 3) == due).all()
+    assert len(first) == count.prod()
+    seen = []
+    for k, begun in enumerate(first.tolist()):
+        chain, i = [], begun
+        while i >= 0:
+            chain.append(i)
+            i = int(following[i])
+        assert chain == sorted(chain)
+        assert all((due[j] @ [count[1] * count[2], count[2], 1]) == k for j in chain)
+        seen += chain
+    assert sorted(seen) == list(range(70))
+
+
+def test_cells_are_as_wide_as_two_of_the_largest_spheres_and_the_skin(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    find: Any = plain(neighbours.near_pairs)
+    original, edges = find.__globals__["cells"], []
+
+    def seen(place: Vector, edge: float) -> Any:
+        edges.append(edge)
+        return original(place, edge)
+
+    monkeypatch.setitem(find.__globals__, "cells", seen)
+    near = space(three((0.02, 0.03), SMOOTH, bonds=BONDS)).state.near
+    assert near is not None
+    find(near, np.zeros((4, 3)))
+    assert edges == pytest.approx([2.0 * 0.4 + near.skin])
+
+
+def test_walls_have_a_row_for_each_sphere_and_those_that_move_rows_of_their_own() -> None:
+    """The second sphere is held; walls begin behind the rows of two spheres and of the ground."""
+    held = ALL.copy()
+    held[1] = False
+    spheres = three((0.02, 0.03), ROUGH, held, held).spheres
+    wave = Harmonic(np.array([0.1, 0.0, 0.0]), np.ones(3))
+    floor = Wall(np.array([0.0, 0.0, -0.5]), UP, wave)
+    side = Wall(np.array([-0.7, 9.0, 0.0]), np.array([1.0, 0.0, 0.0]))
+    here = placed(Scene((floor, spheres, side), ROUGH))
+    found = wall_contacts.listed(here)
+    assert found is not None
+    rows, normals, gap, radius = found
+    place = spheres.position[[0, 2]]
+    assert rows.tolist() == [0, 1, 0, 1]
+    assert normals == pytest.approx(np.array([UP, UP, [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))
+    due = [*(place[:, 2] + 0.5 - RADIUS[[0, 2]]), *(place[:, 0] + 0.7 - RADIUS[[0, 2]])]
+    assert gap == pytest.approx(due)
+    assert radius.tolist() == [0.4, 0.3, 0.4, 0.3]
+    moving = wall_contacts.wall_rows(here)
+    assert moving is not None
+    assert moving[0].tolist() == [3, 3, 4, 4]
+    assert moving[1].shape == (4, 3)
+    assert wall_contacts.wall_rows(placed(Scene((spheres, side), ROUGH))) is None
+
+
+@pytest.mark.parametrize("charge", [None, 0.0, 5.0])
+@pytest.mark.parametrize("contact", [ROUGH, SMOOTH])
+def test_walls_are_charged_where_there_is_friction_to_be_charged(
+    contact: Contact, charge: float | None
+) -> None:
+    spheres = three((0.02, 0.03), contact).spheres.part(slice(0, 1))
+    given = None if charge is None else np.array([[charge, 0.0, 0.0]])
+    here = placed(Scene((Wall(-UP, UP), spheres), contact), given)
+    term = wall_contacts.build(here)
+    assert term is not None
+    assert len(term.charged) == (1 if contact is ROUGH and charge else 0)
+    assert len(term.shear) == (1 if contact is ROUGH else 0)
+
+
+def test_something_may_touch_where_something_moves_and_is_not_alone() -> None:
+    alone = three((0.02, 0.03), SMOOTH).spheres.part(slice(0, 1))
+    held = three((0.02, 0.03), SMOOTH, ~ALL, ~ALL).spheres
+    wall = Wall(-UP, UP)
+    scenes = (
+        ((alone,), False), ((alone, wall), True), ((three((0.02, 0.03), SMOOTH).spheres,), True),
+        ((held,), False), ((held, wall), False),
+    )  # fmt: skip
+    for bodies, due in scenes:
+        assert placed(Scene(bodies, SMOOTH)).may_touch == due
+
+
+@pytest.mark.parametrize("mu", [0.0, 0.5])
+def test_a_law_that_steps_look_at_has_friction_or_none_of_it(mu: float) -> None:
+    spheres = three((0.02, 0.03), SMOOTH).spheres
+    for eta_n, due in ((30.0, ((KS, mu) if mu else NO_FRICTION, 0)), (0.0, None)):
+        law = placed(Scene((spheres,), Contact(KN, KS, mu, eta_n))).law
+        there = (KS, mu) if mu else None
+        assert (law.friction, law.at_run_time) == (due or (there, None))
+
+
+def test_arrays_of_bonds_have_rows_for_what_moves_and_for_the_ground() -> None:
+    held = ALL.copy()
+    held[0] = False
+    term = of_bonds.build(placed(three((0.02, 0.03), SMOOTH, held, held, bonds=BONDS)))
+    assert term is not None
+    assert [array.shape for array in term.each] == [(3, 3), (3, 3), (1, SCRATCH * WIDE), (1, 3)]
