@@ -1,5 +1,6 @@
 """How speed is compared: what was timed, of which case, and by what factor it changed."""
 
+import signal
 from typing import Any
 
 import pytest
@@ -65,6 +66,17 @@ def test_the_factor_is_that_between_the_nearest_ends_of_the_intervals(
 def test_the_calibration_kernel_takes_about_a_millisecond() -> None:
     """A thousandth to a thousand: a clock that ran backwards or summed would be far off."""
     assert 1e-5 < speed.calibration() < 1.0
+
+
+def test_a_limit_of_cpu_time_leaves_the_calibration_kernel_its_time() -> None:
+    """Under a timer of CPU time, as under `ulimit -t`, the clock of a process ticks."""
+    free = speed.calibration()
+    before = signal.setitimer(signal.ITIMER_PROF, 1e4)
+    try:
+        limited = speed.calibration()
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, *before)
+    assert free / 10 < limited < 10 * free
 
 
 def test_the_calibration_kernel_takes_the_least_of_a_few(monkeypatch: pytest.MonkeyPatch) -> None:
