@@ -32,6 +32,7 @@ from vv.case import (
     Parameter,
     Parameters,
     Scalar,
+    Sign,
     Source,
     Tolerance,
     Trial,
@@ -221,8 +222,8 @@ CASE = Case(
     parameters=(
         Parameter("phi", 20.0, "degrees", "friction angle"),
         Parameter("alpha", 10.0, "degrees", "slope"),
-        Parameter("R", 1.0, "m", "half a diagonal of a block"),
-        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("R", 1.0, "m", "half a diagonal of a block", Sign.POSITIVE),
+        Parameter("g", 9.81, "m/s2", "gravity", Sign.POSITIVE),
     ),
     variants=(
         *(

@@ -19,6 +19,7 @@ from vv.case import (
     Parameter,
     Parameters,
     Scalar,
+    Sign,
     Source,
     Trial,
     Variant,
@@ -251,7 +252,7 @@ CASE = Case(
     ),
     parameters=(
         Parameter("mu", 0.5, "", "friction of grains"),
-        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("g", 9.81, "m/s2", "gravity", Sign.POSITIVE),
         Parameter("wide", 5.0, "", "radius of the column, in diameters of the largest grain"),
     ),
     variants=tuple(

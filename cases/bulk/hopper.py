@@ -22,6 +22,7 @@ from vv.case import (
     Parameter,
     Parameters,
     Scalar,
+    Sign,
     Source,
     Trial,
     Variant,
@@ -194,7 +195,7 @@ CASE = Case(
     ),
     parameters=(
         Parameter("mu", 0.5, "", "friction of grains"),
-        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("g", 9.81, "m/s2", "gravity", Sign.POSITIVE),
         Parameter("opening", 5.0, "", "clear width of the hole, in diameters of the largest grain"),
     ),
     variants=tuple(

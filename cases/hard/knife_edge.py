@@ -17,6 +17,7 @@ from vv.case import (
     Motion,
     Parameter,
     Parameters,
+    Sign,
     Source,
     Tolerance,
     Trial,
@@ -164,7 +165,7 @@ CASE = Case(
         Parameter("theta", 0.1, "rad", "initial lean of the prism"),
         Parameter("rho", 2500.0, "kg/m3", "density"),
         Parameter("mu", 0.8, "", "friction coefficient"),
-        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("g", 9.81, "m/s2", "gravity", Sign.POSITIVE),
         Parameter("duration", 0.5, "s", "time simulated"),
     ),
     variants=(

@@ -18,6 +18,7 @@ from vv.case import (
     Parameters,
     Quantity,
     Scalar,
+    Sign,
     Source,
     Trial,
     Variant,
@@ -191,7 +192,7 @@ CASE = Case(
     ),
     parameters=(
         Parameter("rho", 4000.0, "kg/m3", "density of the sphere"),
-        Parameter("R", 0.0025, "m", "radius of the sphere"),
+        Parameter("R", 0.0025, "m", "radius of the sphere", Sign.POSITIVE),
         Parameter("mu", 0.092, "", "friction"),
         Parameter("v", 3.9, "m/s", "speed of the sphere"),
         Parameter("kn", 1.72e7, "N/m", "stiffness along the normal of the linear law"),

@@ -5,7 +5,7 @@ import time
 import pytest
 
 from vv.base.errors import UsageError
-from vv.case import Parameter
+from vv.case import Case, Parameter, Sign, Source, Variant
 from vv.plan.settings import parse_value
 
 SPEED = Parameter("speed", 1.0, "m/s", "a speed")
@@ -44,3 +44,40 @@ def test_units_are_converted(typed: str, value: float) -> None:
     gravity = Parameter("g", 9.81, "m/s2", "gravity")
     assert parse_value("981cm/s2", gravity) == pytest.approx(9.81)
     assert parse_value("9.81 m/s^2", gravity) == pytest.approx(9.81)
+
+
+@pytest.mark.parametrize(
+    ("parameter", "typed", "rule"),
+    [
+        (Parameter("m", 1.0, "kg", "mass"), "-1", "m = -1.0 kg; it must be positive"),
+        (Parameter("m", 1.0, "kg", "mass"), "-2 g", "m = -0.002 kg; it must be positive"),
+        (Parameter("m", 1.0, "kg", "mass"), "0", "m = 0.0 kg; it must be positive"),
+        (Parameter("E", 1.0, "Pa", "modulus"), "0", "E = 0.0 Pa; it must be positive"),
+        (Parameter("ks", 1.0, "N/m", "spring"), "-1", "ks = -1.0 N/m; it must not be negative"),
+        (Parameter("f", 1.0, "Hz", "frequency"), "-1", "f = -1.0 Hz; it must not be negative"),
+        (Parameter("R", 1.0, "m", "size", Sign.POSITIVE), "0", "R = 0.0 m; it must be positive"),
+        (SPEED, "1e308 km/s", "speed = inf m/s; it must be finite"),
+        (SPEED, "nan", "speed = nan m/s; it must be finite"),
+    ],
+)
+def test_a_value_of_the_wrong_sign_is_refused_by_its_rule(
+    parameter: Parameter, typed: str, rule: str
+) -> None:
+    with pytest.raises(UsageError) as refused:
+        parse_value(typed, parameter)
+    assert str(refused.value) == rule
+
+
+def test_zero_and_either_sign_are_taken_where_they_may_be() -> None:
+    assert parse_value("0", Parameter("ks", 1.0, "N/m", "spring")) == 0.0
+    assert parse_value("-1", SPEED) == -1.0
+    assert parse_value("-1", Parameter("m", 1.0, "kg", "change of mass", Sign.ANY)) == -1.0
+
+
+def test_defaults_obey_the_rule() -> None:
+    with pytest.raises(ValueError, match=r"m = -1.0 kg; it must be positive"):
+        Parameter("m", -1.0, "kg", "mass")
+    light = Variant("light", "", "", defaults={"m": 0.0})
+    mass = Parameter("m", 1.0, "kg", "mass")
+    with pytest.raises(ValueError, match=r"m = 0.0 kg; it must be positive"):
+        Case("fall", "", Source("", ""), (mass,), (light,), lambda variant, p: None)  # type: ignore[arg-type,return-value]

@@ -30,14 +30,45 @@ class Source:
     note: str = ""
 
 
+class Sign(enum.Enum):
+    """The signs that a parameter may have; the value is the rule shown to people."""
+
+    ANY = ""
+    NOT_NEGATIVE = "must not be negative"
+    POSITIVE = "must be positive"
+
+
+SIGN_OF_UNIT = {
+    **dict.fromkeys(("kg", "kg/m3", "Pa", "Pa s"), Sign.POSITIVE),
+    **dict.fromkeys(("N/m", "N s/m", "Hz"), Sign.NOT_NEGATIVE),
+}
+
+
 @dataclass(frozen=True)
 class Parameter:
-    """A physical parameter that `--set` may change, with its default value in `unit`."""
+    """A physical parameter that `--set` may change, with its default value in `unit`.
+
+    sign: by default that of its unit: a mass is positive, a stiffness not negative, a length may
+    be either. Raises ValueError for a default that breaks the rule, as a Case does for a variant's.
+    """
 
     name: str
     value: float
     unit: str
     meaning: str
+    sign: Sign | None = None
+
+    def __post_init__(self) -> None:
+        self.checked(self.value)
+
+    def checked(self, value: float) -> float:
+        """The value; raises ValueError with the rule unless it is finite and of the right sign."""
+        sign = self.sign or SIGN_OF_UNIT.get(self.unit, Sign.ANY)
+        wrong = (sign is Sign.POSITIVE and value <= 0) or (sign is Sign.NOT_NEGATIVE and value < 0)
+        rule = sign.value if wrong else "" if math.isfinite(value) else "must be finite"
+        if rule:
+            raise ValueError(f"{self.name} = {value!r} {self.unit}".strip() + f"; it {rule}")
+        return value
 
 
 @dataclass(frozen=True)
@@ -125,6 +156,11 @@ class Case:
     declare: Callable[[str, Parameters], Trial]
     published: Mapping[str, str] = field(default_factory=dict)
     enforced: frozenset[Check] = frozenset(Check)
+
+    def __post_init__(self) -> None:
+        for variant in self.variants:
+            for one in self.parameters:
+                one.checked(variant.defaults.get(one.name, one.value))
 
     def variant(self, name: str) -> Variant:
         """The variant of that name; raises KeyError."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -28,10 +27,12 @@ from vv.case import (
 from vv.codes.adapter import Adapter, Found, Scheme, known_beforehand, no_steps
 from vv.plan.plan import EmptyPlanError, Job, Options, Plan
 from vv.plan.project import Project
+from vv.plan.rejections import rejection
 from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.plan.settings import parameters_with_settings
 
 PATIENCE = 20.0  # limit of CPU time [s] for the references of a variant at changed parameters
+REFUSED = (ValueError, ArithmeticError, RuntimeError)
 INERT = "inert, since the exact answer does not contain it: only numerical errors may change"
 
 
@@ -104,36 +105,18 @@ def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> 
     found early, and within a limit of time: values far from those of the case may take extremely
     long. With default parameters they are left until a run is measured, because some are costly.
     """
+    usual = dict(parameters) == case.defaults(variant)
+    refused = REFUSED if usual else (*REFUSED, Exception)  # far values fail in any way
     try:
-        if dict(parameters) == case.defaults(variant):
+        if usual:
             return case.declare(variant, parameters)
         # nan is refused where data are created
         with time_limit(PATIENCE), np.errstate(divide="ignore", invalid="ignore"):
             trial = case.declare(variant, parameters)
             _evaluate_references(trial.quantities)
         return trial
-    except (ValueError, ArithmeticError, RuntimeError) as error:
-        changed = _changed(case, variant, parameters)
-        raise UsageError(f"{case.name}:{variant}: {_with(changed, error)}") from error
-
-
-def _changed(case: Case, variant: str, parameters: Mapping[str, float]) -> dict[str, str]:
-    """Name -> NAME = VALUE UNIT of each parameter that is not the variant's own."""
-    usual, units = case.defaults(variant), {one.name: one.unit for one in case.parameters}
-    return {
-        name: f"{name} = {value!r} {units[name]}".strip()
-        for name, value in parameters.items()
-        if value != usual[name]
-    }
-
-
-def _with(changed: Mapping[str, str], error: Exception) -> str:
-    """Why parameters are rejected, with the changed ones unless the reason names one."""
-    divided = isinstance(error, ZeroDivisionError)
-    why = "a formula of the case divides by zero" if divided else str(error)
-    if not changed or any(re.search(rf"\b{re.escape(name)} = ", why) for name in changed):
-        return why
-    return f"with {', '.join(changed.values())}: {why}"
+    except refused as error:
+        raise UsageError(rejection(case, variant, parameters, error)) from error
 
 
 def _evaluate_references(quantities: Iterable[Quantity]) -> None:

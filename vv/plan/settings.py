@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import math
 import re
 import tokenize
 from collections.abc import Sequence
@@ -50,9 +49,11 @@ def parse_value(text: str, parameter: Parameter) -> float:
     if match is None:
         raise UsageError(f"{parameter.name} = '{text}': not a number with an optional unit")
     value, unit = float(match[1]), match[2]
-    if not math.isfinite(value):
-        raise UsageError(f"{parameter.name} = {value} {parameter.unit}; it must be finite")
-    return value if unit in ("", parameter.unit) else _converted(value, unit, parameter)
+    plain = unit in ("", parameter.unit)
+    try:
+        return parameter.checked(value if plain else _converted(value, unit, parameter))
+    except ValueError as error:
+        raise UsageError(str(error)) from error
 
 
 def _converted(value: float, unit: str, parameter: Parameter) -> float:
