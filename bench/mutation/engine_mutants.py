@@ -17,6 +17,7 @@ import itertools
 import json
 import os
 import random
+import re
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatch
@@ -63,21 +64,38 @@ def _key(mutant: Mutant) -> str:
 
 
 class Asked:
-    """Runs collected tests on mutants: those of the mutant's engine first, then the fastest."""
+    """Runs collected tests on mutants: those that import its file, then its engine's, then others.
+
+    Of each of these the fastest are run first.
+    """
 
     def __init__(self, collected: Collected, seconds: dict[str, float], longest: float) -> None:
         self.collected, self.seconds, self.longest = collected, seconds, longest
 
     def tests(self, mutant: Mutant) -> list[str]:
         """The tests for a mutant: as many as fit into the time."""
-        own = f"tests/engines/{Path(mutant.file).parts[2]}/"
-        ordered = sorted(self.seconds, key=lambda one: (not one.startswith(own), self.seconds[one]))
-        return fitting(ordered, self.seconds, self.longest)
+        own, near = f"tests/engines/{Path(mutant.file).parts[2]}/", importing(mutant.file)
+
+        def rank(one: str) -> tuple[bool, bool, float]:
+            there = one.partition("::")[0] in near
+            return not there, not one.startswith(own), self.seconds[one]
+
+        return fitting(sorted(self.seconds, key=rank), self.seconds, self.longest)
 
     def red_of(self, mutant: Mutant, number: int) -> str | None:
         """The test that detects a mutant; None if none does."""
         limits = {one: SPARE + HANGING * self.seconds[one] for one in self.tests(mutant)}
         return self.collected.red_with(limits, functools.partial(switch_on, number))
+
+
+@functools.cache
+def importing(file: str) -> frozenset[str]:
+    """The files of tests that import a file."""
+    name = file.removesuffix(".py").replace("/", ".")
+    line = re.compile(rf"^from {re.escape(name)} import", re.MULTILINE)
+    tests = (ROOT / "tests").rglob("test_*.py")
+    found = (path for path in tests if line.search(path.read_text()))
+    return frozenset(path.relative_to(ROOT).as_posix() for path in found)
 
 
 def switch_on(number: int) -> None:

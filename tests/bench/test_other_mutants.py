@@ -45,13 +45,15 @@ def test_a_mutant_of_an_engine_that_is_known_as_equivalent_is_not_drawn(
     assert first not in engine_mutants.drawn(file, 10**6, 1)
 
 
-def test_a_mutant_is_asked_of_its_engine_s_tests_first_as_far_as_time_allows() -> None:
+def test_a_mutant_is_asked_of_tests_near_it_first_as_far_as_time_allows() -> None:
+    """Those that import its file, then those of its engine, then others."""
     collected: Any = None
     own, far = "tests/engines/dda/test_a.py::", "tests/engines/dem/test_b.py::"
+    near = "tests/engines/dda/by_hand/test_law.py::slow"
     seconds = {f"{far}quick": 0.1, f"{own}slow": 3.0, f"{own}quick": 1.0, f"{far}slow": 9.0}
-    asked = engine_mutants.Asked(collected, seconds, 5.0)
+    asked = engine_mutants.Asked(collected, {**seconds, near: 2.0}, 6.5)
     mutant = Mutant("", "vv/engines/dda/law.py", (), 0)
-    assert asked.tests(mutant) == [f"{own}quick", f"{own}slow", f"{far}quick"]
+    assert asked.tests(mutant) == [near, f"{own}quick", f"{own}slow", f"{far}quick"]
 
 
 def test_a_mutant_is_switched_on_for_this_process_and_those_it_starts(
