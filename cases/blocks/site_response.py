@@ -29,15 +29,28 @@ from vv.case import (
 LAYERS = {"five-layers": 5}
 MANY, UNLIKE = 15, "unlike"
 LASTING = 0.7  # of the duration: motion after that counts as steady
+LEFT = 0.02  # of the free oscillation then, a part of which is a tenth of the motion
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
     layers = LAYERS.get(variant, MANY)
+    _check(p)
     goal = History(p["duration"], RUNGS[-1].dt or 1.0)
     unlike = variant == UNLIKE
     scene = column(p, layers, unlike)
     study = Ladder(scene, goal, (Displacement(layers),), dict.fromkeys(Level, RUNGS))
     return Trial(study, _ratios(p, layers, unlike))
+
+
+def _check(p: Parameters) -> None:
+    """Raise ValueError if the step leaves more than LEFT of the free oscillation."""
+    first = np.pi * speed(p) / (2 * p["H"])  # of the column, 1/s; its damping ratio is w dt/4
+    needed = np.log(1 / LEFT) / (LASTING * first**2 * (RUNGS[-1].dt or 1.0) / 4)
+    if not p["duration"] >= needed:
+        raise ValueError(
+            f"duration = {p['duration']!r} s; the column's free oscillation dies out in "
+            f"{needed:.3g} s, before which its motion is not steady"
+        )
 
 
 def _ratios(p: Parameters, layers: int, unlike: bool) -> tuple[Quantity, ...]:

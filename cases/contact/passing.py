@@ -10,6 +10,7 @@ import numpy as np
 from reference_solutions.bonds import unlike_row
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
+    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -55,7 +56,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(f"v = {p['v']!r} m/s; it is so large that the contacts nearly slip")
     goal = History(p["duration"], p["duration"] / 40)
     times, coarsest = goal.times(None), COARSEST * np.sqrt(p["m"] / p["ks"])
-    second = Tolerance(8e-3, AHEAD, dt=coarsest, order=2, floor=1e-6)
+    swung = float(np.sqrt(p["ks"] / p["m"]) * p["duration"])
+    second = Tolerance(
+        min(3.2e-4 * swung, LARGEST_TOLERANCE), AHEAD, dt=coarsest, order=2, floor=1e-6
+    )
     judge = Exact(
         {Method.LEAPFROG: second, Method.LATE_LEAPFROG: second},
         not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS),
@@ -96,7 +100,10 @@ def _path(p: Parameters, reach: Vector) -> Callable[[Vector], Vector]:
 
 COARSEST = 0.05  # of sqrt(m/ks)
 OTHERS = "the bound is that of the phase of a leapfrog"
-AHEAD = "the phase of a leapfrog is ahead by (w dt)^2/24 of some 40 radians"
+AHEAD = (
+    "the phase of a leapfrog is ahead by (w dt)^2/24 of the angle, some 40 radians by default; it "
+    "grows with sqrt(ks/m) and the duration"
+)
 CASE = Case(
     name="passing",
     title="Contacts sheared while another sphere passes",

@@ -17,6 +17,13 @@ RIGHT = {
     "painleve:mu-0.8 slope=1.72 g=25.5 m=104": "dda/published",
     "painleve:mu-2 slope=0.735": "rigid/default",
     "painleve:mu-2 mu=1.29 V=0.87": "dda/augmented-lagrangian",
+    "slow-slide:held m=7030 mu=0.598 g=19.1": "dda/default",
+    "slow-slide:held m=3420 mu=0.695 v0=0.0227 g=11.2": "dem/default",
+    "slow-slide:slope mu=0.702 g=22.3": "dda/default",
+    "incline:two-way phi=76.6": "rigid/default",
+    "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
+        "dem/default"
+    ),
 }
 
 
@@ -29,3 +36,12 @@ def test_what_is_right_passes_at_other_parameters_too(name: str, scheme: str) ->
         method = one.scheme.method_for(one.ask.scene.terms())
         found = [measured(one.run, it, method, one.ask.knobs)[0] for it in one.trial.quantities]
         assert {it.name for it in found if it.verdict is Verdict.FAIL} == set()
+
+
+@pytest.mark.parametrize("given", [{"rho": 5100.0}, {"H": 63.3, "G": 6.26e7}, {"duration": 5.0}])
+def test_a_column_whose_free_oscillation_remains_is_refused(given: dict[str, float]) -> None:
+    case = PROJECT.load_case("site-response")
+    usual = case.defaults("five-layers")
+    case.declare("five-layers", {**usual, "duration": 12.0})
+    with pytest.raises(ValueError, match="free oscillation dies out in"):
+        case.declare("five-layers", {**usual, **given})

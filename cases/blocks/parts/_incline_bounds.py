@@ -38,10 +38,13 @@ def along_dip(p: Parameters) -> Exact:
     """In one direction: parabolas are exact, sines have the order of the step, and springs lag."""
     if not p["A"] and (p["alpha"] > p["phi"] or not p["v0"]):
         return Exact({**STEADY, Method.FIRST_ORDER: _half_steps(p)})
+    cycles = max(1.0, p["f"] * p["duration"])
+    swings = cycles * p["A"] / (2 * np.pi * p["f"]) ** 2 / _largest_slip(p)
     sine = Tolerance(
-        _sine_error(p["f"] if p["A"] else 0.0),
+        _sine_error(p["f"] if p["A"] else 0.0, max(1.0, swings)),
         "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
-        "(w dt)^2/12; twice that is allowed. Events are located within the step",
+        "(w dt)^2/12 of its amplitude A/w^2 in each cycle, or of the slip if that is larger; twice "
+        "that is allowed. Events are located within the step",
         dt=STEP,
         order=2,
         floor=1e-9,
@@ -90,9 +93,9 @@ def _whole_stops(p: Parameters, sine: Tolerance) -> Tolerance:
     )
 
 
-def _sine_error(f: float) -> float:
-    """(w dt)^2/6 at the step STEP for a frequency [Hz], within the range of a tolerance."""
-    return float(np.clip((2 * np.pi * f * STEP) ** 2 / 6, 1e-9, LARGEST_TOLERANCE))
+def _sine_error(f: float, over: float = 1.0) -> float:
+    """`over` (w dt)^2/6 at the step STEP for a frequency [Hz], within the range of a tolerance."""
+    return float(np.clip(over * (2 * np.pi * f * STEP) ** 2 / 6, 1e-9, LARGEST_TOLERANCE))
 
 
 def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
