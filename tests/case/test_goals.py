@@ -36,6 +36,16 @@ def test_with_a_step_outputs_come_at_the_whole_steps_nearest_to_the_interval(
 
 
 @pytest.mark.parametrize(
+    ("duration", "interval", "dt", "steps"),
+    [(0.3, 0.1, 0.1, 3), (1e6, 1e6, 0.1, 10**7), (0.0299, 0.01, 0.01, 2)],
+)
+def test_rounding_takes_no_step_from_a_run_short_or_long(
+    duration: float, interval: float, dt: float, steps: int
+) -> None:
+    assert History(duration, interval).steps(dt) == steps
+
+
+@pytest.mark.parametrize(
     "given",
     [{"dt": 0.0}, {"dt": -1.0}, {"dt": math.inf}, {"kn": 0.0}, {"kn": math.inf}, {"kn": math.nan},
      {"dd": -0.1}, {"dd": 1.1}],

@@ -130,6 +130,16 @@ def test_displacement_in_two_directions_is_the_known_one() -> None:
     assert end == pytest.approx([0.8230692263, -0.0316498886], abs=6e-11)
 
 
+@pytest.mark.parametrize("f", [2.0**-16, 2.0**16])
+def test_it_touches_zero_once_a_period_however_fast_the_drive_is(f: float) -> None:
+    """With a little less friction it never stops."""
+    p = PAPER | {"phi": 20.0, "f": f}
+    phases = closed.newmark_phases(5.5 / f, **p)
+    assert [phase.direction for phase in phases] == [1] * 6
+    assert [phase.begin * f for phase in phases] == pytest.approx(range(6), abs=1e-15)
+    assert len(closed.newmark_phases(5.5 / f, **(p | {"phi": 19.999}))) == 1
+
+
 def test_at_phi_equal_to_alpha_the_velocity_touches_zero_once_a_period() -> None:
     A, w, c = PAPER["A"], 2.0 * pi, cos(radians(20.0))
     t = np.linspace(0.0, 5.5, 200)
