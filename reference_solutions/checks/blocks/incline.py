@@ -21,6 +21,7 @@ Array = NDArray[np.float64]
 Push = Callable[[Array], Array]
 
 _GRID = 64
+_EARLY = 0.5 ** np.arange(20, 0, -1)  # of a step: where a slip that stops within it is looked for
 _MOST = 2000
 _RTOL = 1e-11
 _STOPPED = 1e-7  # of g over the greater angular frequency: the speed at which a slip ends
@@ -81,6 +82,7 @@ def _slide(acceleration: Push, s: Array, v: float, way: float) -> tuple[float, b
         gained: Array = way * _moved(acceleration, s[0], time, v)[0]
         return gained
 
+    s = np.concatenate([s[:1], s[0] + np.diff(s[:2]) * _EARLY, s[1:]])
     falls = np.flatnonzero((speed(s[:-1]) > 0.0) & (speed(s[1:]) <= 0.0))
     if not falls.size:
         return float(s[-1]), False

@@ -41,6 +41,7 @@ NEWMARK = {
     "slides on": {"phi": 10.0},
     "thrown up": {"v0": -1.5, "phi": 10.0},
     "thrown down": {"v0": 1.0, "A": 0.0},
+    "up for a moment": {"alpha": 15.0, "phi": 15.0, "A": 28.0, "v0": -0.25},
     "no friction": {"alpha": 0.0, "phi": 0.0},
     "fast": {"A": 26.0, "phi": 5.0, "f": 3.0},
 }
