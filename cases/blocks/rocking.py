@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.blocks.parts import _rocking_bounds, _rocking_quantities
+from cases.blocks.parts import _rocking_bounds, _rocking_friction, _rocking_quantities
 from cases.blocks.parts._leaning import CENTRE, MOVING, Leaning
 from cases.blocks.parts._rocking_bounds import COARSE
 from cases.blocks.parts._rocking_quantities import Law
@@ -31,6 +31,7 @@ from vv.scene import Contact, Harmonic, Pulse, Scene, Vector, Wall
 
 X, _, Z = np.eye(3)
 SWEPT = {"search": 1e10, "search-soft": 1e7}  # N/m
+AGAIN = 200  # instants of a pulse at which the block is looked at
 PAST = 1.1  # times b: a centre displaced farther sideways is past the top
 
 
@@ -58,10 +59,25 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return _rocking_trial(variant, p, law, w)
 
 
+def _exact(law: Law, w: float, most: float, start: float) -> _rocking_quantities.ExactMotion:
+    """The motion after a lean of `start` [rad], or under half a sine of `most` [m/s2]."""
+    drive = {"A": most, "w": w, "T": math.pi / w}
+    return _rocking_quantities.ExactMotion(tuple(law.items()), tuple(drive.items()), start)
+
+
 def _threshold_trial(p: Parameters, law: Law, w: float) -> Trial:
     """A pulse at the threshold, whose amplitude follows from the energy that it leaves."""
     most = p["part"] * rocking.threshold(**law, w=w)
     ends = History(1.01 * math.pi / w, math.pi / w)
+    block, exact = Leaning(p["b"], p["h"]), _exact(law, w, most, 0.0)
+    held = p["g"] * p["b"] / p["h"]
+    leans = exact.leans(np.linspace(0.0, math.pi / w, AGAIN)) if most > held else np.zeros(1)
+    if not leans[np.argmax(leans > 0.0) :].min() > 0.0:
+        raise ValueError(
+            f"part = {p['part']!r}: a pulse of {most:.4g} m/s2, which must exceed g b/h = "
+            f"{held:.4g} m/s2 by so much that the block still leans when it ends"
+        )
+    _rocking_friction.require_grip(block, exact, p, math.pi / w)
     levels = LEVELS | {Level.QUICK: (*RUNGS[:2], RUNGS[-1])}  # clumps need the finest step
     study = Ladder(_scene(p, most), ends, (CENTRE, MOVING), levels)
     return Trial(study, (_rocking_quantities.threshold(p, law, w, most),))
@@ -79,8 +95,8 @@ def _rocking_trial(variant: str, p: Parameters, law: Law, w: float) -> Trial:
         )
     alpha, rate = rocking.slenderness(**law)
     block = Leaning(p["b"], p["h"], p["part"] * alpha if released else 0.0)
-    drive = {"A": most, "w": w, "T": math.pi / w}
-    exact = _rocking_quantities.ExactMotion(tuple(law.items()), tuple(drive.items()), block.start)
+    exact = _exact(law, w, most, block.start)
+    _rocking_friction.require_grip(block, exact, p, p["duration"])
     goal = History(p["duration"], p["duration"] / 50)
 
     def path(t: Vector) -> Vector:
@@ -141,6 +157,7 @@ def _overturning_trial(p: Parameters, law: Law, w: float) -> Trial:
     due = rocking.overturns(**law, A=most, w=w)
     block, rate = Leaning(p["b"], p["h"]), rocking.slenderness(**law)[1]
     last = due + 1.0 / rate  # ends before the block lies flat
+    _rocking_friction.require_grip(block, _exact(law, w, most, 0.0), p, due)
     goal = History(last, last / 300)
 
     judge = _rocking_bounds.overturning_time(w, p["part"], rate, due)

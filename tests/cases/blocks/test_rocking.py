@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from cases.blocks.parts._leaning import CENTRE, MOVING, Leaning
+from cases.blocks.parts._rocking_friction import _needed
+from cases.blocks.parts._rocking_quantities import ExactMotion
 from cases.blocks.rocking import CASE
 from reference_solutions.blocks import rocking
 from vv.ask import Knobs, Method, Observable, Run, Status
@@ -90,3 +92,40 @@ def test_a_pulse_is_half_a_sine(f: float) -> None:
     assert isinstance(shaking, Pulse)
     assert shaking.until == pytest.approx(1 / (2 * f))
     assert float(shaking.wave.frequency[0]) == f
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"part": 0.45},  # the pulse does not lift the block
+        {"b": 0.268, "h": 0.791, "part": 0.642, "f": 0.738, "g": 9.49},  # it lands in the pulse
+    ],
+)
+def test_a_pulse_after_which_the_block_does_not_lean_shows_no_threshold(
+    given: dict[str, float],
+) -> None:
+    with pytest.raises(ValueError, match="still leans when it ends"):
+        CASE.declare("threshold", {**CASE.defaults("threshold"), **given})
+
+
+@pytest.mark.parametrize("variant", ["released", "stands", "threshold", "overturns-1e-1"])
+def test_friction_must_hold_the_corner_while_the_block_rocks(variant: str) -> None:
+    given = CASE.defaults(variant)
+    CASE.declare(variant, given)
+    with pytest.raises(ValueError, match="slips"):
+        CASE.declare(variant, {**given, "mu": 0.335 if variant != "released" else 0.333})
+
+
+def test_the_friction_that_a_rocking_block_needs_is_that_of_its_path() -> None:
+    given = CASE.defaults("threshold")
+    w, law = 2 * np.pi * given["f"], {name: given[name] for name in ("b", "h", "g")}
+    most = rocking.threshold(**law, w=w)
+    exact = ExactMotion(tuple(law.items()), (("A", most), ("w", w), ("T", np.pi / w)), 0.0)
+    t = np.linspace(0.05, np.pi / w, 4001)
+    block = Leaning(given["b"], given["h"])
+    x, z = np.gradient(np.gradient(block.place(exact.leans(t)), t, axis=0), t, axis=0)[10:-10].T
+    along = np.abs(x - most * np.sin(w * t[10:-10])) / (z + given["g"])
+    lifted = exact.leans(t)[10:-10] > 1e-4
+    assert _needed(block, exact, given["g"], np.pi / w) == pytest.approx(
+        along[lifted].max(), rel=2e-3
+    )
