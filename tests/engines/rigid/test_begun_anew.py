@@ -120,3 +120,17 @@ def test_sweeps_are_no_more_than_allowed_and_go_on_as_long_as_each_kind_may(
     sweeps, _ = solve(*given, None) if way == "solve_with_leaps" else solve(*given)
     assert taken == parts
     assert sweeps == most
+
+
+@pytest.mark.parametrize("way", ["solve_with_leaps", "solve_in_turns"])
+def test_after_sweeps_that_do_not_converge_velocities_are_computed_anew(
+    monkeypatch: pytest.MonkeyPatch, done: list[str], way: str
+) -> None:
+    """The residual is then that of the impulses alone, without the rounding of all sweeps."""
+    p = sweeping(monkeypatch, [AWAY, AWAY])
+    monkeypatch.setattr(converge, "recomputed", lambda *_: 0.5 * ASKED)
+    setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
+    given = (setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED)
+    solve = getattr(converge, way).py_func
+    found = solve(*given, None) if way == "solve_with_leaps" else solve(*given)
+    assert (done, found) == ([], (STUCK, 0.5 * ASKED))

@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 from vv.engines.rigid.limits import STILL
-from vv.engines.rigid.slip import SLOW, bend, first_root, least_slip_speed, mean_direction
+from vv.engines.rigid.slip import (
+    SLOW,
+    bend,
+    first_root,
+    least_slip_speed,
+    mean_direction,
+    zero_after,
+)
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -103,3 +110,22 @@ def test_a_first_root_is_the_least_of_those_of_the_parabola(seed: int) -> None:
     roots = np.roots([c, b, a])
     due = min((r.real for r in roots if abs(r.imag) < 1e-12 and r.real >= 0), default=np.inf)
     assert first_root(a, b, c) == pytest.approx(due)
+
+
+@pytest.mark.parametrize(("first", "second"), [(2.0, 5.0), (2.0, -1.0), (-3.0, 3.5)])
+@pytest.mark.parametrize("t", [(0.1, 0.4, 0.9), (0.0, 1.2, 1.3)])
+def test_a_parabola_through_three_points_has_its_first_zero_after_them(
+    first: float, second: float, t: tuple[float, float, float]
+) -> None:
+    """It is c (x - first)(x - second), not negative at the last point, and of either sign of c."""
+    after = [x for x in (first, second) if x > t[2]]
+    c = 0.7 if (t[2] - first) * (t[2] - second) > 0.0 else -0.7
+    points = [(x, c * (x - first) * (x - second)) for x in t]
+    assert zero_after(*points[0], *points[1], *points[2]) == pytest.approx(min(after))
+    below = 0.5 + 0.3 * np.array(t) ** 2  # it has no zero
+    assert zero_after(t[0], below[0], t[1], below[1], t[2], below[2]) == np.inf
+
+
+def test_a_line_through_two_points_has_its_zero_after_them() -> None:
+    assert zero_after(0.4, 9.0, 0.4, 1.5, 1.0, 0.6) == pytest.approx(1.4)
+    assert zero_after(0.4, 9.0, 0.4, 0.6, 1.0, 1.5) == np.inf

@@ -16,6 +16,7 @@ from tests.engines.rigid.by_hand.point.test_point_trials import (
     ground,
     path,
 )
+from vv.engines.kernels.drive import NO_MOTION, drive
 from vv.engines.rigid.limits import AGREE, BENDS, MOSTLY
 from vv.engines.rigid.point.trial import (
     ZERO,
@@ -32,7 +33,7 @@ from vv.engines.rigid.point.trial import (
     with_contact,
 )
 from vv.engines.rigid.slip import bend
-from vv.scene import Vector
+from vv.scene import Harmonic, Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
 
@@ -115,3 +116,31 @@ def test_a_step_is_halved_until_two_halves_agree_with_it(speed: float, quick: fl
     assert (halvings > 0) == (off(SPAN) > 1.0 and turns)
     if halvings:
         assert off(2.0 * found) > 1.0
+
+
+def test_a_trial_without_a_direction_of_slip_has_no_turn() -> None:
+    """Though the mass slides before and after: it has just stopped, or slides anew."""
+    made = ground(hold=np.eye(3))
+    x, v, _ = sliding(made, 2.0)
+    touch = trial_step(made, x, tuple(v), NOW, SPAN, ZERO)
+    free = np.array(free_velocity(made, tuple(v), NOW, SPAN)) - path(BASE, 1, NOW + SPAN)
+    due = with_contact(made, tuple(free), 0.0, ZERO, ZERO)
+    assert np.linalg.norm(tangential(made, touch.u)) > 0.5
+    assert touch.u == pytest.approx(due.u, abs=1e-9)
+
+
+def test_a_step_in_which_slip_hardly_turns_is_not_halved() -> None:
+    """Seen from a plane that moves at 9 m/s; two halves differ from the step by more than asked."""
+    fast = Harmonic(np.array([0.0, 3.0, 0.0]), np.full(3, 0.5), np.zeros(3))
+    made = ground(hold=np.eye(3), mu=0.3, quick=1e-4, base=drive(fast), shaking=drive(NO_MOTION))
+    rate = np.array([0.0, 3.0 * np.pi * np.cos(np.pi * NOW), 0.0])
+    slip = 5.0 * np.array([0.0, 0.6, 0.0]) + 4.0 * ACROSS
+    x = np.array([0.0, 3.0 * np.sin(np.pi * NOW), 0.0]) - made.gap * NORMAL
+    given: Any = (made, tuple(x), tuple(slip + rate), NOW)
+    d: Any = tuple(slip / 5.0)
+    step: Any = (*given, SPAN, d)
+    whole = trial_step(*step)
+    off = np.subtract(two_half_steps(*step).u, whole.u)
+    assert np.linalg.norm(off) > AGREE * (1e-4 * SPAN) ** 2 * made.mu * whole.p
+    part: Any = (*given, SPAN, SPAN, d, whole)
+    assert resolved_part(*part) == SPAN
