@@ -220,6 +220,10 @@ TESTED: Mapping[str, tuple[str, ...]] = {
     "A direct implementation of the rule gives these digits; if it counts": (
         "tests/references/contact/test_late_closing.py::test_a_spring_charged_for_the_whole_closing_step_has_the_digits_of_the_codes",
     ),
+    "LMGC90 imposes a lock across the plane as a further constraint": (
+        "tests/adapters/lmgc90/test_driver.py::"
+        "test_locks_that_nothing_pushes_on_are_left_free_and_shaking_acts_on_mass",
+    ),
     "Its adapter omits such locks where nothing pushes in their direction": (
         "tests/adapters/lmgc90/test_refusals.py::test_locks_matter_where_weight_loads_or_drives_push_and_in_piles",
         "tests/adapters/lmgc90/test_driver.py::test_locks_that_nothing_pushes_on_are_left_free_and_shaking_acts_on_mass",
@@ -250,13 +254,8 @@ BENCHES: Mapping[str, str] = {
     "in 373 sweeps on average, which take 12.6 ms of CPU a step": "bench.speed.block_wall",
 }
 
-CITED, MEANT, GONE = (
-    "as its source prints it",
-    "a definition, not a figure",
-    "measured with what its adapter leaves out since, so that no command shows it",
-)
+CITED, MEANT = "as its source prints it", "a definition, not a figure"
 SAID: Mapping[str, str] = {
-    "there dividing takes up to 14 times the solutions": GONE,
     "There w dt is 1": MEANT,
     "The other settings with w dt = 1": MEANT,
     "would leave the limit at 2/w": MEANT,
@@ -278,8 +277,6 @@ SAID: Mapping[str, str] = {
     "(2012, arXiv:1204.0001)": CITED,
     "Tsesarsky, Hatzor and Sitar (2005)": CITED,
     "Mankoc and others (2007)": CITED,
-    "with it the planar chart is up to 0.14 off": GONE,
-    "slips by 0.29 of its size is 1.6 % off at any step": GONE,
     "The published shortfall of T_u of blocks, 8.89 % on average": CITED,
     "the paper's mean of C_u, 18.51 % below": CITED,
     "The paper has 16.2 % and 2.83e-6 s, at a 25th of the rate": CITED,
@@ -291,6 +288,7 @@ MEANING, CONCLUDED, PEOPLE = (
     "of sources and people, not of a run",
 )
 SAID_WITHOUT_FIGURES: Mapping[str, str] = {
+    "dividing would take many times the solutions there": MEANING,
     "Rigid contact does not determine which of the possible answers is taken": CONCLUDED,
     "`dda/lagged` is not changed, since it shows what the lag alone does": MEANING,
     "MFiX's printed answers are explained": CONCLUDED,
