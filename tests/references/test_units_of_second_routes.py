@@ -2,12 +2,19 @@
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from reference_solutions.checks.blocks import incline, laden_block, responding_block, rocking
-from reference_solutions.checks.contact import chain, held_sphere, single_contact, skid
+from reference_solutions.checks.contact import (
+    chain,
+    held_sphere,
+    resting_lattice,
+    single_contact,
+    skid,
+)
 from reference_solutions.checks.hard import shaken_wedge, wedge_on_springs
-from reference_solutions.checks.impact import dropped, hertz, rebound
+from reference_solutions.checks.impact import dropped, hertz, micro_slip, rebound
 from tests.references.units import (
     DRAG,
     FORCE,
@@ -166,6 +173,21 @@ CLAIMS = {
         (SPEED, TIME),
     ),
     "rebound": Claim(struck, SPHERES, STRUCK),
+    "micro-slip": Claim(
+        lambda K, S, mu, r1, m1, vn, vt, **_: micro_slip.after(
+            rebound.Strike(K, S, mu, 1.5, 0.0, r1, m1), vn=vn, vt=vt
+        ),
+        SPHERES, STRUCK,
+    ),
+    "lattice at rest": Claim(
+        lambda r, **of: (
+            resting_lattice.moved(
+                r * np.array([[1.0, 1.0], [3.0, 1.0], [2.0, 2.73]]), r=r, width=3.999 * r, **of
+            ),
+        ),
+        {"r": (0.05, LENGTH), "m": (1.3, MASS), "kn": (1e6, SPRING), "g": (9.81, GRAVITY)},
+        (LENGTH,),
+    ),
 }  # fmt: skip
 
 

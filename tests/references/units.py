@@ -58,6 +58,8 @@ def alone(path: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def apart(claim: Claim) -> float:
-    """The largest difference of a result in both systems, over its largest value."""
+    """The largest difference of a result in both systems, over its largest value if it has one."""
     pairs = zip(parts(claim, False), parts(claim, True), strict=True)
-    return max(float(np.abs(one - other).max() / np.abs(one).max()) for one, other in pairs)
+    return max(
+        float(np.abs(one - other).max() / (np.abs(one).max() or 1.0)) for one, other in pairs
+    )

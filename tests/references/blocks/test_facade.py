@@ -64,6 +64,15 @@ def test_without_friction_its_arch_cannot_stand() -> None:
     assert check.bed_load(blocks(6, 5), bed(6), mu=0.0) is None
 
 
+@pytest.mark.parametrize(("columns", "mean"), [(6, 2.0), (8, 2.5), (12, 2.5)])
+def test_an_arch_is_as_large_as_its_blocks_are_long(columns: int, mean: float) -> None:
+    for length in (0.3, 0.7):
+        rings = [length * mean * (1.0 + way * 0.15) for way in (-1.0, 1.0)]
+        assert facade.rings(columns, length) == pytest.approx(rings, rel=1e-14)
+        corners = np.linalg.norm(np.concatenate(facade.arch(columns, length)), axis=1)
+        assert sorted({*corners.round(12).tolist()}) == pytest.approx(rings, rel=1e-11)
+
+
 def test_no_room_for_a_door_is_named() -> None:
     with pytest.raises(ValueError, match="4 columns, 5 courses"):
         facade.areas(4, 5, LENGTH, HEIGHT)

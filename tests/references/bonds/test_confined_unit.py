@@ -29,6 +29,10 @@ def test_the_two_routes_agree(fx: float, mu_p: float, stronger: float) -> None:
     assert apart(confined_unit, element, fx) < 1e-7
 
 
+def test_they_agree_on_quartzite() -> None:
+    assert apart(confined_unit, ELEMENT, 8.0) < 1e-7
+
+
 def test_without_loads_it_is_the_unit() -> None:
     bare = tetrahedral_unit.sliding_failure(ELEMENT, D)
     opened = tetrahedral_unit.opening_failure(ELEMENT, D)
