@@ -42,6 +42,7 @@ TESTS = ("tests/engines",)
 LONGEST = 60.0  # s of CPU time for the tests of one mutant
 SPARE, HANGING = 10.0, 3.0  # a test hangs after HANGING times its usual CPU time and SPARE s
 AMISS = 0.05  # fraction of tests that may fail: some count sweeps or steps, which rounding changes
+PLAIN = "tests/support/plain.py"
 COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compiled
 
 
@@ -162,13 +163,21 @@ def codes_of(mutant: Mutant) -> Iterator[str]:
             yield code
 
 
+def lazy(plain: bytes) -> bytes:
+    """The file by which tests run kernels as plain Python, with code by `vv.switch_plain`."""
+    given, ours = b"FunctionType(function.__code__,", b"FunctionType(lazily(function),"
+    assert given in plain, f"{PLAIN} has changed"
+    first, needs = b"from vv.engines.kernels import", b"from vv.switch_plain import lazily\n"
+    return plain.replace(given, ours).replace(first, needs + first)
+
+
 def told_of(chosen: Sequence[Mutant], tests: Iterable[str], longest: float) -> dict[str, str]:
     """Mutant -> the test or gate that detects it."""
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
         numbers = build(project, chosen)
         for name, content in with_tests().items():
-            write_whole(project / name, content)
+            write_whole(project / name, lazy(content) if name == PLAIN else content)
         own = {one: numbers[one.what] for one in chosen}
         told = by_tests(project, tests, own, longest)
         for one in (one for one in chosen if not told[one.what]):

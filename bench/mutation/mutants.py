@@ -14,7 +14,8 @@ from vv.plan.keys import roots
 from vv.plan.project import find
 
 ROOT = Path(__file__).resolve().parents[2]
-COMPILED = re.compile(r"^@(?:compiled|called|inlined|inlined_called|lent|shared)\b", re.MULTILINE)
+KINDS = "compiled(?:_to_branch|_to_join)?|called|inlined|inlined_called|lent|shared"
+COMPILED = re.compile(rf"^@(?:{KINDS})\b", re.MULTILINE)
 BESIDE = (  # computations of `exact` outside its kernels
     "bonds", "flow", "ledger", "path", "system",
     "slide/clock", "slide/flow", "slide/ledger", "slide/path", "slide/system",

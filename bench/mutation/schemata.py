@@ -22,7 +22,11 @@ KERNEL = (
 )  # fmt: skip
 PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "at", "cross",
         "add_scaled")  # fmt: skip
-SWITCHES = ("switch", "switch_compiled")  # files beside this one that the copy has in vv/
+SWITCHES = (
+    "switch",
+    "switch_compiled",
+    "switch_plain",
+)  # files here that the copy has in vv/
 
 
 def build(folder: Path, mutants: Sequence[Mutant]) -> dict[str, int]:

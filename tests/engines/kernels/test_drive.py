@@ -8,6 +8,8 @@ import numba
 import numpy as np
 import pytest
 
+from tests.support.plain import plain
+from vv.engines.kernels.arrays import larger, least_of, marked, smaller, square_of
 from vv.engines.kernels.drive import NO_MOTION, drive, drives, mean, one_of, rate, travel, value
 from vv.engines.kernels.triples import Triple, add_scaled, cross, dot
 from vv.scene import Harmonic, Pulse, Vector
@@ -77,3 +79,15 @@ def test_sums_and_products_of_vectors_are_those_of_numpy() -> None:
     assert added == pytest.approx(np.add(a, 3.0 * np.array(b)))
     assert product == pytest.approx(np.dot(a, b))
     assert across == pytest.approx(np.cross(a, b))
+
+
+def test_small_functions_of_numbers_are_what_they_say() -> None:
+    assert plain(square_of)(-3.0) == 9.0
+    assert [plain(larger)(*pair) for pair in ((1.0, 2.0), (2.0, 1.0))] == [2.0, 2.0]
+    assert [plain(smaller)(*pair) for pair in ((1.0, 2.0), (2.0, 1.0))] == [1.0, 1.0]
+    least = plain(least_of)
+    assert (least(np.array([3.0, -1.0, 2.0])), least(np.zeros(0))) == (-1.0, np.inf)
+    assert [plain(marked)(np.array(mask)) for mask in ([False, True, False], [False])] == [
+        True,
+        False,
+    ]

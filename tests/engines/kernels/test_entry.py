@@ -80,6 +80,17 @@ def test_a_kernel_reads_and_fills_what_python_gives_it(table: Vector) -> None:
     assert thousandths(*arguments(table)) == found
 
 
+def test_a_kernel_that_is_compiled_anew_gives_what_python_gives(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("VV_CACHE", str(tmp_path / "empty"))
+    fresh: Any = compiled(thousandths.py_func)  # type: ignore[attr-defined]
+    for table in TABLES:
+        given, wanted = arguments(table), arguments(table)
+        assert entry(fresh, given)(*given) == fresh.py_func(*wanted)
+        assert list(given[0]) == list(wanted[0])
+
+
 def test_types_of_arguments_are_built_once_and_other_types_get_code_of_their_own(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

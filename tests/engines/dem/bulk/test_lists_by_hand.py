@@ -20,10 +20,17 @@ from tests.engines.dem.bulk.test_bulk_by_hand import (
     grains,
 )
 from tests.support.plain import plain
+from vv.engines.dem.bonds.block_forces import store_vector, vector_of
+from vv.engines.dem.bonds.blocks import WIDE
 from vv.engines.dem.bulk import near, viscous
+from vv.engines.dem.bulk.batches import NORMAL, PLACES, SUMS
 from vv.engines.dem.bulk.cells import cells
+from vv.engines.dem.bulk.contacts import pairs as pairs_of
+from vv.engines.dem.bulk.contacts.gather import ARMS, FORCE, OFFSET, RADII
 from vv.engines.dem.bulk.grains import Given, Grains, initial_grains
-from vv.engines.dem.contact.dashpots import FORCE, RATE, SPRING
+from vv.engines.dem.contact import dashpots
+from vv.engines.dem.contact.dashpots import RATE, SPRING
+from vv.engines.dem.contact.hertz import Elastic
 from vv.scene import Vector
 
 
@@ -127,5 +134,26 @@ def test_closed_contacts_are_listed_with_their_normals_pushes_and_viscosities() 
         closed_now += was >= 0.0
         assert kept[1][k, SPRING] == pytest.approx(KN * overlap)
         assert kept[1][k, RATE] == pytest.approx(6.0 * share)
-        assert kept[1][k, FORCE] == 0.0
+        assert kept[1][k, dashpots.FORCE] == 0.0
     assert 0 < closed_now < used
+
+
+def test_smooth_elastic_spheres_press_by_their_reduced_radius() -> None:
+    """4/3 E sqrt(R) U^1.5, R = r1 r2/(r1 + r2); the energy is 2/5 of it times U."""
+    scratch, sums = np.zeros((1, PLACES * WIDE)), np.zeros((1, SUMS))
+    offset, radii = np.array([0.48, -0.2, 0.36]), (0.4, 0.3)
+    law = Elastic(1e8, None, None, (0.0, 0.0))
+    plain(store_vector)(scratch, 0, OFFSET, 2, tuple(offset))
+    scratch[0, RADII * WIDE + 2], scratch[0, (RADII + 1) * WIDE + 2] = radii
+    with np.errstate(all="ignore"):  # the first two columns are empty
+        plain(pairs_of.forces_without_friction)(scratch, 0, 3, law)
+    length = float(np.linalg.norm(offset))
+    overlap, reduced = 0.7 - length, 0.12 / 0.7
+    push = 4.0 / 3.0 * 1e8 * np.sqrt(reduced * overlap) * overlap
+    found = plain(vector_of)(scratch, 0, FORCE, 2)
+    assert found == pytest.approx(push / length * offset)
+    whole = np.zeros_like(scratch)
+    for place in (RADII, RADII + 1, ARMS):  # the contact as the only one
+        whole[0, place * WIDE] = scratch[0, place * WIDE + 2]
+    plain(pairs_of.add_energies)(sums, whole, 0, 1, law, None)
+    assert sums[0, NORMAL] == pytest.approx(0.4 * push * overlap)

@@ -136,6 +136,7 @@ def ended(one: One, rate: float) -> tuple[int, Vector, Vector]:
         (One(0.5, normal=(80.0, 0.1), force=0.0), 0.5 * M * 0.25),
         (One(0.5, force=0.8), 0.5 * M * 0.25),
         (One(-0.5, force=0.8), 0.5 * M * 0.25),
+        (One(0.3, normal=(80.0, -0.1), force=-8.0), 0.5 * M * 0.09 + 0.5 * 80.0 * 0.01),
         (One(0.9, friction=(2e3, 0.4)), 0.5 * M * 0.81),
         (One(0.9, friction=(2.0, 0.4)), 0.5 * M * 0.81),
     ],

@@ -107,7 +107,8 @@ def test_potentials_are_the_works_of_weight_and_load_reversed_and_never_minus_ze
     potentials = -q * found.weight, -q * found.load
     assert held == pytest.approx(np.column_stack([energy[:, :5], *potentials]))
     beside = on_wall(pressed(scene([True, True, False], shaking=WAVE)))
-    for table in (held, beside.held(0.0 * np.ones((2, 4)), 0.0 * np.ones((2, 8)))):
+    pushed = dataclasses.replace(beside, weight=np.ones(2), load=np.ones(2))
+    for table in (held, pushed.held(np.zeros((2, 4)), np.zeros((2, 8)))):
         assert not np.signbit(table[0]).any()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from tests.engines.dem.space.test_stiffness_by_hand import (
     BONDS,
     KN,
     KS,
+    MASS,
     RADIUS,
     ROUGH,
     SMOOTH,
@@ -19,6 +21,7 @@ from tests.engines.dem.space.test_stiffness_by_hand import (
     three,
 )
 from tests.support.plain import plain
+from vv.ask import Displacement, Reaction, Velocity
 from vv.engines.dem.bonds.block_forces import SCRATCH
 from vv.engines.dem.bonds.blocks import WIDE
 from vv.engines.dem.contact.law import NO_FRICTION
@@ -27,21 +30,22 @@ from vv.engines.dem.space.model import space
 from vv.engines.dem.space.placed import placed
 from vv.engines.dem.terms import bonds as of_bonds
 from vv.engines.dem.terms import wall_contacts
-from vv.scene import Contact, Harmonic, Scene, Vector, Wall
+from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall
 
 
+@pytest.mark.parametrize(("spheres", "most"), [(70, 9), (120, 9)])
 @pytest.mark.parametrize("corner", [[0.0, 0.0, 0.0], [7.0, -9.0, 30.0]])
 def test_cells_are_as_many_as_fit_but_not_many_more_than_spheres(
-    corner: Any, monkeypatch: pytest.MonkeyPatch
+    corner: Any, spheres: int, most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """At most twice the cube root of their number, and one, along an axis; arrays begin as any."""
     sort: Any = plain(neighbours.cells)
     monkeypatch.setitem(sort.__globals__, "counts", lambda n: np.full(n, 99))
-    place = np.random.default_rng(3).uniform(size=(70, 3)) * [3.0, 0.5, 40.0]
+    place = np.random.default_rng(3).uniform(size=(spheres, 3)) * [3.0, 0.5, 40.0]
     place[0], place[1] = 0.0, [3.0, 0.5, 40.0]
     place += corner
     count, cell, first, following = sort(place, 0.7)
-    assert count.tolist() == [4, 1, 9]
+    assert count.tolist() == [4, 1, most]
     low, high = place.min(axis=0), place.max(axis=0)
     due = np.minimum(((place - low) / (high - low) * count).astype(int), count - 1)
     assert (cell.reshape(-1, 3) == due).all()
@@ -55,7 +59,7 @@ def test_cells_are_as_many_as_fit_but_not_many_more_than_spheres(
         assert chain == sorted(chain)
         assert all((due[j] @ [count[1] * count[2], count[2], 1]) == k for j in chain)
         seen += chain
-    assert sorted(seen) == list(range(70))
+    assert sorted(seen) == list(range(spheres))
 
 
 def test_cells_are_as_wide_as_two_of_the_largest_spheres_and_the_skin(
@@ -141,3 +145,44 @@ def test_arrays_of_bonds_have_rows_for_what_moves_and_for_the_ground() -> None:
     term = of_bonds.build(placed(three((0.02, 0.03), SMOOTH, held, held, bonds=BONDS)))
     assert term is not None
     assert [array.shape for array in term.each] == [(3, 3), (3, 3), (1, SCRATCH * WIDE), (1, 3)]
+
+
+LOCKED = np.array([[True, True, False], [False, False, False], [True, True, True]])
+
+
+def test_the_general_model_has_rows_for_what_moves_and_columns_for_what_is_seen() -> None:
+    """Velocities are those along free axes, and steady ones along locked axes."""
+    some = three((0.02, 0.03), ROUGH, LOCKED, LOCKED)
+    (spheres,) = some.bodies
+    assert isinstance(spheres, Spheres)
+    speed, spin = np.zeros((3, 3)), np.zeros((3, 3))
+    speed[0], speed[2], spin[2] = [1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]
+    moving = dataclasses.replace(spheres, velocity=speed, spin=spin)
+    found = space(dataclasses.replace(some, bodies=(moving,)))
+    bodies = found.state.bodies
+    assert bodies.velocity == pytest.approx(speed[[0, 2]])
+    assert bodies.spin == pytest.approx(spin[[0, 2]])
+    assert found.row.tolist() == [0, 2, 1]
+    path, energy, watched = found.outputs(5, (2, 0, 1))
+    assert path.shape == (5, 3, 12)
+    assert (energy.shape, watched.tolist()) == ((5, 12), [1, 0, 2])
+    assert found.words.startswith("12 unknowns: 2 moving spheres that turn")
+    filled: Vector = np.arange(180.0).reshape(5, 3, 12)
+    seen: tuple[tuple[Any, int], ...] = (Displacement(0), 0), (Velocity(0), 3), (Reaction(0), 9)
+    for what, first in seen:
+        assert (found.observed(filled, 1, 0, what) == filled[:, 1, first : first + 3]).all()
+    whole = 0.5 * (MASS @ (speed**2).sum(axis=1) + spheres.inertia @ (spin**2).sum(axis=1))
+    table = np.zeros((2, 12))
+    table[0] = np.arange(12.0)
+    assert found.put_in(table) == pytest.approx(whole + 1.0 + 2.0 + 10.0 + 11.0)
+
+
+def test_spheres_that_nothing_turns_have_no_spin_and_no_lock_no_force() -> None:
+    some = space(three((0.02, 0.03), SMOOTH))
+    assert some.state.bodies.spin is None
+    assert some.outputs(5, (0,))[0].shape == (5, 1, 6)
+    assert some.words.startswith("9 unknowns: 3 moving spheres")
+    assert "that turn" not in some.words
+    assert not some.observed(np.ones((5, 1, 6)), 0, 0, Reaction(0)).any()
+    still = space(three((0.02, 0.03), ROUGH, ALL, ~ALL))
+    assert still.state.bodies.spin is None

@@ -137,6 +137,32 @@ def test_a_lock_bears_what_pushes_and_pays_for_a_steady_velocity(drag: Drag | No
     assert np.count_nonzero(path) == 3
 
 
+def test_motion_is_seen_as_way_and_mean_velocity_also_that_of_the_ground(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The ground has no lock; its rows follow those of the spheres."""
+    path, told, look = np.zeros((2, 2, 9)), motion(False), plain(output.observe)
+    monkeypatch.setitem(look.__globals__, "resistance", lambda terms: None)
+    look(path, 1, np.array([3, 1]), (), bodies(False), told)
+    for k, i in enumerate((3, 1)):
+        assert path[1, k, :3] == pytest.approx(told.u[i])
+        assert path[1, k, 3:6] == pytest.approx(0.5 * (told.v[i] + told.before[i]))
+    assert not path[1, 0, 6:].any()
+    assert path[1, 1, 6:] == pytest.approx(HOLD[1] @ told.push[1] - told.push[1])
+
+
+def test_energies_are_filled_and_works_added_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The work of walls has a column where the table is wide enough."""
+    fill: Any = plain(output.write_energies)
+    monkeypatch.setitem(fill.__globals__, "book", lambda terms, *others: (terms,))
+    held = 1.0, 2.0, 3.0, 4.0, 5.0
+    for wide in (7, 9, 12):
+        energy = np.zeros((2, wide))
+        assert fill(energy, 1, 7.5, bodies(False), motion(False), held, 2.5) == 10.0
+        assert energy[1, :5].tolist() == [1.0, 2.0, 3.0, 4.0, 5.0]
+        assert energy[1, 8:9].tolist() == ([2.5] if wide > 7 else [])
+
+
 def test_a_spin_is_seen_amid_its_kick_where_there_are_spins() -> None:
     path, told = np.zeros((2, 3, 9)), motion(True)
     plain(output.observe_spin)(path, 1, 2, 0, told.w, told.spun)
