@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from tests.scenes.blocks.block_scenes import HELD, box, slope
+from vv.engines.rigid.limits import FINEST, TOUCHING
 from vv.engines.rigid.point.kernel import move_point
 from vv.engines.rigid.point.model import point
+from vv.engines.rigid.scales import scales
 from vv.scene import Contact, Harmonic, Scene, Wall
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -147,3 +149,25 @@ def test_a_plane_that_falls_faster_than_a_mass_leaves_it_and_meets_it_again() ->
     assert apart.min() >= -1e-12
     assert np.abs(coarse.x - fine.x).max() <= 0.02 * np.abs(fine.x).max()
     assert coarse.energy[-1, HIT] == pytest.approx(fine.energy[-1, HIT], rel=0.1)
+
+
+def test_a_point_has_the_forces_per_mass_the_gap_and_the_scales_of_its_scene() -> None:
+    """A gap within rounding of the block's size is none."""
+    shaken, rate = sines([3.0, -2.0, 1.0], 5.0, 0.4), np.array([0.3, 0.2, 0.0])
+    for gap, due in ((0.02, 0.02), (0.5 * TOUCHING * 0.4, 0.0)):
+        block = box(
+            "b", (0.15 + gap) * AXES[2], [0.1, 0.2, 0.15], AXES, free_spin=HELD,
+            velocity=rate @ AXES, load=24.0 * np.array([1.0, 2.0, 3.0]) @ AXES,
+        )  # fmt: skip
+        gravity = np.array([0.0, 0.0, -G])
+        made = Scene((Wall(PLANE.point, PLANE.normal), block), Contact(np.inf, mu=MU),
+                     gravity=gravity, axes=AXES, shaking=shaken)  # fmt: skip
+        system, known = point(made), scales(made)
+        assert system is not None
+        start, ground = system.arguments(DT)
+        assert start == pytest.approx(rate @ AXES)
+        assert ground.gravity == pytest.approx(gravity)
+        assert ground.load == pytest.approx(np.array([1.0, 2.0, 3.0]) @ AXES)
+        assert ground.gap == pytest.approx(due, abs=1e-15)
+        assert (ground.mu, ground.pull, ground.quick) == (MU, known.pull, known.quick)
+        assert ground.fine == pytest.approx(FINEST * (known.given + known.pull * DT))
