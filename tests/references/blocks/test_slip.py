@@ -166,6 +166,24 @@ def test_a_slip_has_as_many_steps_as_its_time_holds_periods_of_the_fastest_drive
     assert told == pytest.approx([most, 2 * most, 4 * most], abs=1)
 
 
+@pytest.mark.parametrize(("end", "most"), [(0.0, 16), (1.5, 40), (6.0, 112)])
+def test_eight_phases_a_period_and_a_few_more_are_the_most(
+    end: float, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A drive of 2 Hz, of which no phase takes any time."""
+    told = f"{most} phases did not reach"
+    monkeypatch.setattr(harmonic_slip, "_mode", lambda *_: (0, 0.0, 0.0, 0.0))
+    with pytest.raises(RuntimeError, match=told):
+        harmonic_slip.phases(Drive(4.0 * pi, 0.0, Law(0.0, 1.0), Law(0.0, 1.0)), 0.0, end + 1e-9)
+    still = np.zeros((3, 1))
+    drive = turning_slip.Drive(np.array([4.0 * pi]), np.zeros(3), still, still)
+    step = turning_slip.Step(0.0, 0.0, True, np.zeros(2), np.zeros(2), np.zeros((2, 16)))
+    monkeypatch.setattr(turning_slip, "_rest", lambda *_: 0.0)
+    monkeypatch.setattr(turning_slip, "_slip", lambda *_: [step])
+    with pytest.raises(RuntimeError, match=f"; {most} steps did not reach"):
+        turning_slip.history(drive, end + 1e-9)
+
+
 def line(harmonic: ModuleType) -> Iterator[Array]:
     """The solutions in one direction that use the given module."""
     t = np.linspace(0.0, 2.2, 45)
