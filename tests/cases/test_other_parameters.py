@@ -22,6 +22,7 @@ STRONG = {
 }  # fmt: skip
 NEAR_A_SWING = {"rho": 1700.0, "G": 3.1e8, "F": 4.3}
 SHAKEN = {"D": 0.196, "f": 6.55, "mu": 0.729, "g": 9.61, "duration": 22.7}
+LONG_TUMBLE = {"w": 1.38, "height": 0.75, "V": 0.194, "duration": 2.04}
 SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
 
 
@@ -42,6 +43,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("dem", "tetrahedral-strength", "pressed", STRONG, None),
         ("dem", "packing", "seed-1", {"m": 0.0178, "eta": 0.12}, None),
         ("rigid", "tumbling", "corner", {"w": 1.71}, None),
+        ("rigid", "tumbling", "corner", LONG_TUMBLE, None),
         ("rigid", "wedge", "xi-1e-06", {"xi": 9.21e-7, "g": 4.33}, Knobs(1e-2)),
         ("dda", "shaken-wedge", "level", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
         ("dda", "shaken-wedge", "along", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from tests import ROOT
 from tests.support.fabricated import changed, entry, record, requantified
 from vv.ask import Knobs
 from vv.base.errors import UsageError
@@ -97,6 +98,31 @@ def test_at_other_parameters_an_order_may_leave_its_band_by_half(
 ) -> None:
     records = [changed(one, modified=True) for one in ladder(slope)]
     assert verdicts(records) == {Verdict(verdict)}
+
+
+@pytest.mark.parametrize("code", ["yade", "liggghts"])
+@pytest.mark.parametrize(
+    ("modified", "errors", "known"),
+    [
+        (True, (8.3e-4, 8.4e-4, 3.6e-4), True),  # cancels at the longest step, at m = 1.76 kg
+        (True, (8.3e-4, 8.4e-4, 1.1e-2), False),
+        (False, (8.3e-4, 8.4e-4, 3.6e-4), False),
+    ],
+)
+def test_late_drag_claims_no_order_of_bounces_to_rest_at_other_parameters(
+    code: str, modified: bool, errors: tuple[float, ...], known: bool
+) -> None:
+    version = {"yade": "2023.02a", "liggghts": "3.8.0"}[code]
+    made = [
+        changed(
+            record(f"{code}/default", "drop", dt, quantities=[entry("fail", {"max": e}, name="z")]),
+            case="settling", modified=modified, code_version=version,
+        )
+        for dt, e in zip((1e-4, 2.5e-5, 1.25e-5), errors, strict=True)
+    ]  # fmt: skip
+    entries = read_disagreements(ROOT / "cases" / "disagreements.toml")
+    last = judge(made, entries, TODAY)[-1].quantities[0].verdict
+    assert last is (Verdict.XFAIL if known else Verdict.FAIL)
 
 
 def test_an_unmoving_result_is_never_a_known_disagreement() -> None:
