@@ -10,6 +10,9 @@ from vv.plan.project import find
 @pytest.mark.parametrize(
     ("case", "variant", "given", "words"),
     [
+        ("galperin", "31", {"ratio": 73.2}, "is 27.0005, so near a whole number"),
+        ("galperin", "31", {"ratio": 233.0, "m": 0.418}, "is 48.0229, so near a whole number"),
+        ("galperin", "31", {"m": 1.6}, "overlap the wall by 0.01 m; at most a tenth"),
         ("galperin", "31", {"m": 1.76}, "overlap the wall by 0.0105 m; at most a tenth"),
         ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the speed must not be 0"),
         ("slow-slide", "level", {"v0": 0.0}, "the block must move, and friction must stop it"),
