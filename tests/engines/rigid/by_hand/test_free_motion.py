@@ -235,8 +235,8 @@ def test_residuals_asked_of_small_scenes_follow_speeds_and_weights(field: float)
     setting, _, made = begun(gravity=field * GRAVITY, shaking=None)
     known = scales(made)
     due = FINEST * min(known.speed, known.given + LONG * known.pull * DT)
-    assert setting.tolerance == pytest.approx(due)
-    assert setting.finest == pytest.approx(FINE * known.weight * DT)
+    assert setting.tolerance == pytest.approx(due, abs=0.0)
+    assert setting.finest == pytest.approx(FINE * known.weight * DT, abs=0.0)
     assert setting.pull == pytest.approx(known.pull)
 
 
@@ -247,7 +247,7 @@ def test_the_residual_of_a_step_is_rounding_within_bounds(
     fastest: float, apart: float, due: float
 ) -> None:
     setting = begun()[0]._replace(finest=2e-10, tolerance=1e-8)
-    assert residual_asked(setting, fastest, apart) == pytest.approx(due)
+    assert residual_asked(setting, fastest, apart) == pytest.approx(due, abs=0.0)
 
 
 def test_an_impact_is_faster_than_a_part_of_the_velocity_gained_and_than_residuals() -> None:
