@@ -8,6 +8,8 @@ import threading
 from collections.abc import Iterator
 from types import FrameType
 
+AGAIN = 0.05  # CPU seconds after which an error that was ignored is raised again
+
 
 class TooLongError(RuntimeError):
     """A calculation exceeded its time limit."""
@@ -17,6 +19,8 @@ class TooLongError(RuntimeError):
 def time_limit(seconds: float) -> Iterator[None]:
     """Raise TooLongError in the body after this many CPU seconds.
 
+    Python ignores an error that is raised while it frees an object or runs a callback of a
+    library, so the error is raised again until the body ends.
     This works in the main thread only; in other threads there is no limit.
     """
     if threading.current_thread() is not threading.main_thread():
@@ -27,7 +31,7 @@ def time_limit(seconds: float) -> Iterator[None]:
         raise TooLongError(f"not done after {seconds:g} s of the processor's time")
 
     before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds, AGAIN)
     try:
         yield
     finally:
