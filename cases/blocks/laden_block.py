@@ -9,7 +9,7 @@ import numpy as np
 from cases._energy_balance import balance
 from cases._penalty import levels
 from cases._sines import harmonic
-from cases.blocks.parts._laden_bounds import BOOKS, DRIFTS, RISES, SLIPS, SPEEDS, scaled
+from cases.blocks.parts._laden_bounds import DRIFTS, RISES, SLIPS, SPEEDS, booked, scaled
 from reference_solutions.blocks import laden_block
 from reference_solutions.contact.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity
@@ -128,7 +128,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         ),
         speed.component(0, "slipping", "velocity along the slip", speeds),
         speed.component(1, "rising", "velocity along the normal of the slope", speeds),
-        balance(BOOKS),
+        balance(_books(p)),
     )
     return Trial(Ladder(_scene(variant, p), goal, SEEN, levels(Knobs(1e-4, 1e9))), parts)
 
@@ -153,6 +153,13 @@ def _scaled_bounds(bounds: Mapping[Method, Tolerance], p: Parameters, what: int)
     return Exact({
         method: scaled(one, times) if one.kn is not None else one for method, one in bounds.items()
     })  # fmt: skip
+
+
+def _books(p: Parameters) -> dict[Method, Tolerance]:
+    """The bounds of the ledger, by the accelerations of the block."""
+    fine = np.linspace(0.0, p["duration"], 1 + int(np.ceil(10 * FINE * p["duration"])))
+    speed = _motion(p, fine)[1]
+    return booked(speed, np.gradient(speed, fine, axis=0))
 
 
 def _drive_sizes(p: Parameters) -> tuple[float, ...]:

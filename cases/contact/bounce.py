@@ -88,7 +88,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         scene, step = _on_floor(p, variant == "held"), FLOOR_STEP * _duration_ratio(p, 2e10)
         path = functools.partial(_floor_path, p)
         seen: tuple[Displacement, ...] = (Displacement(1),)
-        quantities = _sphere_quantities(_motion(seen[0], scene, 3, path), step, p)
+        own = p == CASE.defaults(variant)
+        quantities = _sphere_quantities(_motion(seen[0], scene, 3, path), step, p, own)
     else:
         scene, step = _pair_scene(p), PAIR_STEP * _duration_ratio(p, 5e6)
         seen = (Displacement(0), Displacement(1))
@@ -107,10 +108,15 @@ def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Mo
     return Motion(what, scene.axes[:directions], path, GOAL.times(None), "m")
 
 
-def _sphere_quantities(motion: Motion, step: float, p: Parameters) -> tuple[Quantity, ...]:
+def _sphere_quantities(
+    motion: Motion, step: float, p: Parameters, own: bool
+) -> tuple[Quantity, ...]:
+    """own: whether the parameters are the case's, at which errors of contacts partly cancel."""
     arm = 2e-5 * float(np.sqrt(2e10 / p["kn"]))
-    up = _judge(step, 2e-4 + arm, 5e-4, arm)
-    along = _judge(step, max(2e-4, _tangential_error(motion, step, p)) + arm, 5e-4, arm)
+    ends = _ends(motion, step, p)
+    up = _judge(step, (2e-4 if own else max(2e-4, ends)) + arm, 5e-4, arm)
+    rubbed = min(2 * p["mu"], 1.0) * ends  # twice mu where friction also rotates the sphere
+    along = _judge(step, max(2e-4, rubbed) + arm, 5e-4, arm)
     ways = (
         ("x", "along the throw", along),
         ("y", "horizontally, across the throw", NOWHERE),
@@ -123,17 +129,20 @@ def _sphere_quantities(motion: Motion, step: float, p: Parameters) -> tuple[Quan
     return (*parts, motion.distance(along))
 
 
-def _tangential_error(motion: Motion, step: float, p: Parameters) -> float:
-    """The error along the throw by ends of contacts within steps [s], over the displacement.
+def _ends(motion: Motion, step: float, p: Parameters) -> float:
+    """The largest error by ends of contacts within steps [s], over the displacement.
 
-    Each end costs up to (k dt)^2/8 of the closing speed. Friction turns the errors of both ends
-    into mu times as much tangential speed, or twice that where it also rotates the sphere, for the
-    whole time.
+    A leapfrog conserves v^2/2 + k^2 x x*/2, x and x* the overlaps before and after a step. In the
+    steps in which a contact begins and ends, x x* is between -(v dt)^2/4 and 0: a contact changes
+    the speed by up to (k dt)^2/8 of it, for the time that is left.
     """
     way = float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
-    closing = np.sqrt(p["v_n"] ** 2 + 2 * p["g"] * p["gap"])
-    swing = p["kn"] / _mass(p, p["r1"]) * step**2
-    return float(min(2 * p["mu"], 1.0) * closing * swing / 4 * GOAL.duration / way)
+    closing = float(np.sqrt(p["v_n"] ** 2 + 2 * p["g"] * p["gap"]))
+    stiffness = p["kn"] / _mass(p, p["r1"])
+    first, lasts = 2 * p["gap"] / (closing + p["v_n"]), np.pi / np.sqrt(stiffness)
+    apart = max(lasts, 2 * closing / p["g"] if p["g"] > 0 else GOAL.duration)
+    left = GOAL.duration - np.arange(first, GOAL.duration, apart)
+    return float(closing * stiffness * step**2 / 8 * left.sum() / way)
 
 
 def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantity, ...]:
@@ -182,9 +191,10 @@ def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why 
 
 ON_FLOOR = (
     "a contact lasts for more than a hundred steps: an error of (k dt)^2/24 = 3e-5 for its "
-    "oscillation, and as much for each of its ends and for those of slip, over four bounces. Along "
-    "the throw the errors of both ends of a contact may add, and friction turns them into "
-    "tangential speed. Codes differ in the arm of the shear force, r - U/2 or r, with U/r = 1e-5",
+    "oscillation, and as much for each of its ends and for those of slip, over four bounces. At "
+    "most (k dt)^2/8 of the speed is lost or gained in a contact, for the time that is left, and "
+    "friction turns this into tangential speed. Codes differ in the arm of the shear force, r - "
+    "U/2 or r, with U/r = 1e-5",
     "weight and load act half a step late at the start: this changes the speed v of the first "
     "impact by g dt/2v, 6e-5, and everything after it by as much",
 )

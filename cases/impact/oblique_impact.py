@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
-from cases.impact._oblique import Blow, Impacts, at_angles, judged
+from cases.impact._oblique import LEAST, Blow, Impacts, at_angles, judged
 from reference_solutions.impact import hertz, spring, viscous
 from reference_solutions.impact.rebound import WALL, Sphere
 from vv.ask import History, Knobs
@@ -24,6 +24,7 @@ from vv.scene import Contact
 
 DEGREES = (5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 85.0)
 SLIPS = (0.5, 2.0, 4.0, 8.0, 16.0)  # initial slip of the surfaces over mu times the normal speed
+STICKS = 4.0  # the largest of them with which a sphere comes to stick
 STEPS = (100, 200, 400, 1600)  # in the duration of a normal impact
 FINE = 6400  # on springs with losses too, at the finest level: dashpots leave larger errors
 LARGE = 5.0  # radii of the larger of two spheres
@@ -87,15 +88,27 @@ def _declare(variant: str, p: Parameters) -> Trial:
     # friction changes the tangential velocity by mu times the normal one
     grown = max(1.0, p["mu"] / ROUGH)
     lossy = grown * (LOSSY if law.z else 1.0)
+    rubbed = grown if p == CASE.defaults(variant) else max(1.0, _swung(p))
     path = judged(
         4.0 * lossy / STEPS[0] ** 2, unit, STEPS[0],
         "an error of (w dt)^2/24 of the oscillations along the normal and across it, which is up "
         "to twice as fast; and as much for each of several steps in which contact, stick or slip "
         "begins, twice as much where a viscous force ends it",
-        late=grown * (math.pi if law.p == 1.0 else 2.4) * law.z,
+        late=LEAST * (grown - 1.0) + rubbed * (math.pi if law.p == 1.0 else 2.4) * law.z,
     )  # fmt: skip
     quantities = (impacts.worst(path), impacts.nearest(path), impacts.lasting(path))
     return Trial(Ladder(impacts.scene(), goal, impacts.seen(), levels), quantities)
+
+
+def _swung(p: Parameters) -> float:
+    """The error of a tangential velocity by late viscous forces, over the fraction of the mass.
+
+    A mass that is smaller by a fraction f makes contacts shorter by f/2. A sphere that comes to
+    stick oscillates across the normal with up to STICKS mu v at its surface, 2/7 of it as
+    translation, by a phase of pi times the ratio of both frequencies.
+    """
+    softer = 2.0 * (1.0 - p["poisson"]) / (2.0 - p["poisson"])  # ks/kn
+    return 2.0 / 7.0 * STICKS * p["mu"] * math.pi * math.sqrt(3.5 * softer) / 2.0
 
 
 FORMULA = (

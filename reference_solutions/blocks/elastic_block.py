@@ -63,6 +63,17 @@ def spinning(
     return _swings(t, inertia, law(young, poisson), force)
 
 
+def spun_modes(
+    *, sides: Sides, rho: float, young: float, poisson: float, spin: float
+) -> tuple[Array, Array]:
+    """The mean (3, 3) of each strain of a spun box in each mode, by size; squared frequencies."""
+    require_finite("1/s", spin=spin)
+    inertia = _inertia(sides, rho)
+    force = spin**2 * inertia * [1.0, 1.0, 0.0]
+    squares, shares = _modes(inertia, law(young, poisson), force)
+    return np.abs(shares), squares
+
+
 def seen_from_rest(strains: Array, angle: Array) -> Array:
     """Normal strains (k, 3) along fixed axes of a box that has rotated by angle (k,) about z."""
     c, s = np.cos(angle) ** 2, np.sin(angle) ** 2
@@ -84,8 +95,14 @@ def _inertia(sides: Sides, rho: float) -> Array:
 
 def _swings(t: ArrayLike, inertia: Array, stiffness: Array, force: Array) -> Array:
     """The solution e (k, n) of inertia (n,) e'' + stiffness (n, n) e = force (n,) from rest."""
+    squares, shares = _modes(inertia, stiffness, force)
+    risen = 1.0 - np.cos(np.outer(require_times(t), np.sqrt(squares)))
+    return np.asarray(risen @ shares.T)
+
+
+def _modes(inertia: Array, stiffness: Array, force: Array) -> tuple[Array, Array]:
+    """Squared frequencies (n,) [1/s2] of the modes, and the strains (n, n) at rest due to each."""
     root = np.sqrt(inertia)
     squares, modes = np.linalg.eigh(stiffness / np.outer(root, root))
     rest = modes.T @ (force / root) / squares
-    risen = 1.0 - np.cos(np.outer(require_times(t), np.sqrt(squares)))
-    return np.asarray((risen * rest) @ modes.T / root)
+    return squares, modes * rest / root[:, None]

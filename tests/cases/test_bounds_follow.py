@@ -21,6 +21,13 @@ RIGHT = {
     "slow-slide:held m=3420 mu=0.695 v0=0.0227 g=11.2": "dem/default",
     "slow-slide:slope mu=0.702 g=22.3": "dda/default",
     "incline:two-way phi=76.6": "rigid/default",
+    "bounce:held kn=1.41e10": "dem/default",
+    "elastic-block:spun L=1.03 a=1.58 b=1.5 rho=3390 E=6.84e9 nu=0.202 spin=3.08": "dda/default",
+    "laden-block:level alpha=23.1 mu=0.417 v=3.04 push=0.344 press=2.01 a=0.968 D=0.025 g=13.1 "
+    "duration=0.389": "dem/default",
+    "oblique-impact:spun-alloy young=6.71e10 poisson=0.337 rho=2530 R=0.139 mu=0.526 v=0.231 "
+    "e=0.721": "dem/published",
+    "oblique-impact:spun-alloy mu=1.2 e=0.9": "dem/published",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
         "dem/default"
     ),

@@ -165,3 +165,12 @@ def test_without_inertia_that_turns_a_block_that_spins_does_not_strain() -> None
 def test_what_the_formulas_do_not_cover_is_refused(change: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         closed.standing(T, **{**LAW, "g": 9.81, **change})
+
+
+def test_the_strain_of_a_spun_block_swings_in_its_modes_by_their_shares() -> None:
+    shares, squares = closed.spun_modes(**LAW, spin=5.0)
+    seen = closed.spinning(T, **LAW, spin=5.0)
+    assert np.abs(seen).max() <= 2.0 * shares.sum(axis=1).max()
+    swung = 1.0 - np.cos(np.outer(T, np.sqrt(squares)))
+    signs_of_z = np.linalg.lstsq(swung, seen[:, 2], rcond=None)[0]
+    np.testing.assert_allclose(np.abs(signs_of_z), shares[2], rtol=1e-9)
