@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import math
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -117,20 +118,43 @@ def _declare(variant: str, p: Parameters) -> Trial:
         judge=_judge(variant.partition("-")[0], p),
     )
     goal = History(duration=0.4, interval=1e-3)
-    timed = TIMED if variant in REFERENCES else ()
-    return Trial(Ladder(scene, goal, (shown,), LEVELS, timed), (y,))
+    parts = _parts(variant.partition("-")[0], p)
+    levels = {level: _divided(rungs, parts) for level, rungs in LEVELS.items()}
+    timed = _divided(TIMED, parts) if variant in REFERENCES else ()
+    return Trial(Ladder(scene, goal, (shown,), levels, timed), (y,))
 
 
-RUNGS = tuple(Knobs(dt=dt) for dt in (4e-3, 2e-3, 1e-3, 5e-4, 1e-4, 1e-5))
+def _parts(test: str, p: Parameters) -> int:
+    """How many steps replace one, a power of two: so many that first order may be judged."""
+    most = _first_order(*_rates(test, p)) * COARSEST / LARGEST_TOLERANCE
+    return 1 << math.ceil(math.log2(max(most, 1.0)))
+
+
+def _divided(rungs: tuple[Knobs, ...], parts: int) -> tuple[Knobs, ...]:
+    return tuple(Knobs(dt=(knobs.dt or 0.0) / parts) for knobs in rungs)
+
+
+def _rates(test: str, p: Parameters) -> tuple[float, float]:
+    """The rates k of the spring and n of the drag [1/s]."""
+    mass = closed.mass(p["rho"], p["r"])
+    k = math.sqrt(p["kn" if test in ("T1", "T2") else "ks"] / mass)
+    return k, p["eta"] / (2 * mass) if test in ("T2", "T4") else 0.0
+
+
+def _first_order(k: float, n: float) -> float:
+    """The error of methods of first order over the step [1/s]."""
+    return max(3.6 * n, 0.5 * k)
+
+
+COARSEST = 4e-3  # s
+RUNGS = tuple(Knobs(dt=dt) for dt in (COARSEST, 2e-3, 1e-3, 5e-4, 1e-4, 1e-5))
 TIMED = (RUNGS[0], *RUNGS[3:5])
 LEVELS = {Level.QUICK: RUNGS[1:5:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 
 
 def _judge(test: str, p: Parameters) -> Exact:
     """The bounds from the rates k of the spring and n of the drag [1/s], over the step."""
-    mass = closed.mass(p["rho"], p["r"])
-    k = np.sqrt(p["kn" if test in ("T1", "T2") else "ks"] / mass)
-    n = p["eta"] / (2 * mass) if test in ("T2", "T4") else 0.0
+    k, n = _rates(test, p)
     phase = (k * STEP) ** 2 * (0.25 * (1 + (2 * n / k) ** 2) if n else 0.4)
     return Exact({
         Method.EXACT: Tolerance(
@@ -150,7 +174,7 @@ def _judge(test: str, p: Parameters) -> Exact:
             order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
-            float(min(max(3.6 * n, 0.5 * k) * STEP, LARGEST_TOLERANCE)),
+            min(_first_order(k, n) * STEP, LARGEST_TOLERANCE),
             "drag that is half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s; a "
             "start half a step late changes the velocity by as much, or by a part of k dt. Both "
             "errors add up over the three stages of T4",
