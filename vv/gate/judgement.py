@@ -70,7 +70,7 @@ def record_findings(
     enforced: case -> the checks that can turn the gate red, if not all.
     """
     patterns = tuple(p if "/" in p else f"{p}/*" for p in required)
-    seen = {record.label for record in records if ran(record)}
+    seen = {record.label for record in records if ran(record) or blew_up(record)}
     found = []
     if not seen:
         found.append(Finding(Aspect.RUN, "nothing ran", "nothing ran", bit=Bit.INCOMPLETE))
@@ -195,8 +195,9 @@ def unknown_breaches(record: Record) -> Iterator[Breach]:
 
 
 def blew_up(record: Record) -> bool:
-    """Whether a run diverged in a map, where divergence is a result."""
-    return record.status is Status.DIVERGED and record.study is StudyKind.GRID
+    """Whether a run diverged in a map, where this is a result, or by a known breach."""
+    known = record.study is StudyKind.GRID or bool(record.known_breaches)
+    return record.status is Status.DIVERGED and known
 
 
 def outcome(record: Record) -> Outcome:

@@ -5,15 +5,18 @@ from __future__ import annotations
 import dataclasses
 import datetime
 import fnmatch
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from vv.ask import Status
 from vv.gate.expiry import by_code_and_case, expiring, in_force
 from vv.gate.judgement import Breach, breaches
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.reading import ran, rung
 
+CREATED = "energy created [J]"
 WIDEST = 10.0  # largest over smallest breach of a band: more than a decade says nothing
 
 
@@ -23,8 +26,11 @@ class KnownBreach:
 
     schemes, versions, variants, law and rungs are globs; rungs are written as for `--rung`,
     dt=0.2,kn=1000000. breach: the smallest and the largest known breach, in the law's unit. At each
-    such rung the breach must lie within the band; otherwise this is reported. expires: ISO date.
-    Raises ValueError naming the field, the value and the rule.
+    such rung the breach must lie within the band; otherwise this is reported. elsewhere: the
+    largest breach of a law in J at parameters other than those of the case, over the largest energy
+    stored; a run that diverged there has created energy, which the same entry knows. An entry
+    without `breach` applies to such parameters alone. expires: ISO date. Raises ValueError naming
+    the field, the value and the rule.
     """
 
     code: str
@@ -34,12 +40,13 @@ class KnownBreach:
     variants: tuple[str, ...]
     law: str
     rungs: tuple[str, ...]
-    breach: tuple[float, float]
     reason: str
     expires: str
+    breach: tuple[float, float] | None = None
+    elsewhere: float | None = None
 
     def __post_init__(self) -> None:
-        low, high = self.breach
+        low, high = self.breach or (self.elsewhere or 0.0,) * 2
         if not 0 < low <= high <= WIDEST * low:
             rule = f"a band must be positive and end within a factor of {WIDEST:g}"
             raise ValueError(f"breach = [{low:g}, {high:g}]; {rule}")
@@ -53,7 +60,7 @@ class KnownBreach:
         return Aspect.CONSERVATION, Bit.CONSERVATION, self.law
 
     def covers(self, record: Record) -> bool:
-        """Whether this entry applies to a record, which must have the parameters of the case."""
+        """Whether this entry applies to a record, with the parameters of the case or others."""
         pairs = (
             (record.code, self.code),
             (record.scheme, self.schemes),
@@ -62,17 +69,23 @@ class KnownBreach:
         )
         several = ((record.variant, self.variants), (rung(record), self.rungs))
         return (
-            ran(record)
-            and not record.modified
+            (ran(record) or (record.modified and record.status is Status.DIVERGED))
+            and (self.elsewhere if record.modified else self.breach) is not None
             and all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
             and all(any(fnmatch.fnmatchcase(n, glob) for glob in globs) for n, globs in several)
         )
 
-    def knows(self, breach: Breach) -> bool:
-        """Whether a breach is of this law and lies within the band."""
+    def knows(self, breach: Breach, record: Record) -> bool:
+        """Whether a breach that a covered record shows is of this law and not larger than known."""
         law, seen, _ = breach
-        low, high = self.breach
-        return fnmatch.fnmatchcase(law, self.law) and low <= seen <= high
+        if not fnmatch.fnmatchcase(law, self.law):
+            return False
+        if not record.modified:
+            low, high = self.breach or (0.0, 0.0)
+            return low <= seen <= high
+        if record.ledger is None or not ran(record):
+            return law == CREATED
+        return law.endswith("[J]") and seen <= (self.elsewhere or 0.0) * record.ledger.peak
 
 
 def judge(
@@ -87,9 +100,9 @@ def _judged(record: Record, known: Iterable[KnownBreach]) -> Record:
     entries = [entry for entry in known if entry.covers(record)]
     found = [
         (breach[0], entry.reason)
-        for breach in (breaches(record.ledger) if entries else ())
+        for breach in (_broken(record) if entries else ())
         for entry in entries
-        if entry.knows(breach)
+        if entry.knows(breach, record)
     ]
     if not found:
         return record
@@ -101,6 +114,11 @@ def _judged(record: Record, known: Iterable[KnownBreach]) -> Record:
     )
 
 
+def _broken(record: Record) -> Iterator[Breach]:
+    """The laws that a record breaks; one that diverged created energy."""
+    return breaches(record.ledger) if ran(record) else iter(((CREATED, math.inf, 0.0),))
+
+
 def not_broken(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> Iterator[Finding]:
@@ -108,7 +126,9 @@ def not_broken(
     entries = by_code_and_case(in_force(known, today))
     for record in records:
         for entry in entries(record.code, record.case):
-            if entry.covers(record) and not any(map(entry.knows, breaches(record.ledger))):
+            if record.modified or not entry.breach or not entry.covers(record):
+                continue
+            if not any(entry.knows(breach, record) for breach in breaches(record.ledger)):
                 low, high = entry.breach
                 yield Finding(
                     check=Aspect.CONSERVATION,

@@ -22,8 +22,8 @@ class Outcome(enum.Enum):
     """The outcome of a job, as summaries count it; the value is the word shown to people.
 
     If the job did not run it is the status, otherwise the worst verdict of its quantities. BLOW_UP:
-    it diverged in a map, where divergence is a result. NOT_REPORTED and NOT_CONSERVED apply to jobs
-    that ran.
+    it diverged in a map, where this is a result, or by a known breach. NOT_REPORTED and
+    NOT_CONSERVED apply to jobs that ran.
     """
 
     ERROR = "error"

@@ -36,6 +36,13 @@ def broken(seen: float = 0.013, **changes: Any) -> Record:
     return record("dem/default", given.pop("variant", "T1"), 1e-3, **given)
 
 
+def created(part: float, modified: bool = True) -> Record:
+    """A record that passes, and whose ledger has energy unexplained, `part` of that stored."""
+    ledger = {"terms": {}, "unaccounted": 2.0 * part, "peak": 2.0, "bound": 1e-9, "audits": {}}
+    given = {"ledger": ledger, "quantities": [entry("pass", {"max": 1e-4})]}
+    return record("dem/default", "T1", 1e-3, modified=modified, **given)
+
+
 def judged(one: Record, **changes: Any) -> tuple[Outcome, bool]:
     """What a record comes to with an entry, and whether the gate is red."""
     known = [KnownBreach(**{**KNOWN, **changes})]
@@ -76,6 +83,28 @@ def test_an_entry_speaks_of_each_of_the_variants_and_rungs_that_it_names(
     assert judged(broken(), **several)[0] is Outcome.XFAIL
 
 
+@pytest.mark.parametrize(
+    ("one", "largest", "seen", "red"),
+    [
+        (created(2.9), 3.0, Outcome.XFAIL, False),
+        (created(3.1), 3.0, Outcome.NOT_CONSERVED, True),
+        (created(2.9), None, Outcome.NOT_CONSERVED, True),
+        (created(2.9, modified=False), 3.0, Outcome.NOT_CONSERVED, True),
+        (created(0.0), 3.0, Outcome.PASS, False),  # where it is kept, this is no news
+        (broken(modified=True), 3.0, Outcome.NOT_CONSERVED, True),  # a law in m
+        (broken(modified=True, status=Status.DIVERGED, ledger=None), 3.0, Outcome.BLOW_UP, False),
+        (broken(modified=True, status=Status.DIVERGED, ledger=None), None, Outcome.DIVERGED, True),
+        (broken(status=Status.DIVERGED, ledger=None), 3.0, Outcome.DIVERGED, True),
+    ],
+)
+def test_at_other_parameters_a_known_breach_is_limited_by_the_energy_stored(
+    one: Record, largest: float | None, seen: Outcome, red: bool
+) -> None:
+    band = None if largest else (0.012, 0.014)
+    given = {"breach": band, "elsewhere": largest, "law": "*", "rungs": ("*",)}
+    assert judged(one, **given) == (seen, red)
+
+
 def test_a_law_that_is_kept_though_an_entry_says_it_is_broken_is_news() -> None:
     assert judged(broken(0.009)) == (Outcome.PASS, True)
     assert judged(broken(0.009), rungs=("dt=0.002",)) == (Outcome.PASS, False)
@@ -108,7 +137,7 @@ def test_an_entry_that_covers_one_of_several_records_speaks_of_them() -> None:
 
 @pytest.mark.parametrize("low", [0.02, 3.0])
 def test_a_band_may_be_as_wide_as_a_decade(low: float) -> None:
-    assert KnownBreach(**{**KNOWN, "breach": (low, 10 * low)}).breach[0] == low
+    assert KnownBreach(**{**KNOWN, "breach": (low, 10 * low)}).breach == (low, 10 * low)
 
 
 def test_a_known_breach_hides_no_other() -> None:
