@@ -125,6 +125,23 @@ def test_late_drag_claims_no_order_of_bounces_to_rest_at_other_parameters(
     assert last is (Verdict.XFAIL if known else Verdict.FAIL)
 
 
+@pytest.mark.parametrize(
+    ("modified", "error", "known"),
+    [(True, 1.1e-2, True), (True, 5.1e-2, False), (False, 1.1e-2, False)],
+)
+def test_a_start_half_a_step_late_is_known_of_slow_slides_at_other_parameters(
+    modified: bool, error: float, known: bool
+) -> None:
+    made = changed(
+        record("dem/published", "held", 7.5e-5,
+               quantities=[entry("fail", {"max": error}, name="s")]),
+        case="slow-slide", modified=modified,
+    )  # fmt: skip
+    entries = read_disagreements(ROOT / "cases" / "disagreements.toml")
+    found = judge([made], entries, TODAY)[0].quantities[0].verdict
+    assert found is (Verdict.XFAIL if known else Verdict.FAIL)
+
+
 def test_an_unmoving_result_is_never_a_known_disagreement() -> None:
     note = "nothing moves, though the reference does"
     assert verdicts([requantified(one, note=note) for one in ladder()]) == {Verdict.FAIL}
