@@ -142,6 +142,22 @@ def test_a_start_half_a_step_late_is_known_of_slow_slides_at_other_parameters(
     assert found is (Verdict.XFAIL if known else Verdict.FAIL)
 
 
+@pytest.mark.parametrize(
+    ("modified", "error", "known"), [(True, 0.2, True), (True, 1.1, False), (False, 0.2, False)]
+)
+def test_slack_springs_of_published_steps_are_known_at_other_parameters(
+    modified: bool, error: float, known: bool
+) -> None:
+    made = changed(
+        record("dda/published", "gravity-25", 1e-3,
+               quantities=[entry("fail", {"max": error}, name="d")]),
+        case="incline", modified=modified,
+    )  # fmt: skip
+    entries = read_disagreements(ROOT / "cases" / "disagreements.toml")
+    found = judge([made], entries, TODAY)[0].quantities[0].verdict
+    assert found is (Verdict.XFAIL if known else Verdict.FAIL)
+
+
 def test_an_unmoving_result_is_never_a_known_disagreement() -> None:
     note = "nothing moves, though the reference does"
     assert verdicts([requantified(one, note=note) for one in ladder()]) == {Verdict.FAIL}
