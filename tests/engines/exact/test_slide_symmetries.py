@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -60,6 +61,13 @@ def test_phases_are_as_sharp_after_a_million_periods_as_at_first() -> None:
     clock = Clock.of(np.array([2.0, 0.375]), np.array([0.3, 1.1]), 1e9)
     assert (clock.waves((8 * 10**9 * 16, 0.25)) == clock.waves((0, 0.25))).all()
     assert clock.waves_at(np.array([16e6]))[0] == pytest.approx(clock.waves((0, 0.0)), abs=1e-15)
+
+
+def test_phases_of_turns_too_large_for_whole_numbers_lose_nothing() -> None:
+    a, b = 2**62 - 1, 2**62 + 3
+    clock = Clock(4.0, ((a, b),), np.array([1.0]), np.array([0.3]))
+    due = [2 * math.pi * ((a * n) % b / b) + 0.3 for n in range(7)]
+    assert clock.angles(7)[:, 0] == pytest.approx(due, rel=1e-15)
 
 
 def test_a_long_history_repeats_itself() -> None:
