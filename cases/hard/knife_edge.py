@@ -94,7 +94,10 @@ def _check(p: Parameters, height: float, lam: float) -> None:
 def _bounds(lam: float, weight: float, way: float) -> dict[Method, Tolerance]:
     """lam: the rate at which it topples [1/s]; weight [N]; way: what its centre moves [m]."""
     turns = Tolerance(
-        min((lam * STEP) ** 2, LARGEST_TOLERANCE), "an error of (lam dt)^2", dt=STEP, order=2
+        min((lam * STEP) ** 2, LARGEST_TOLERANCE),
+        "an error of (lam dt)^2, lam the rate at which it topples",
+        dt=STEP,
+        order=2,
     )
     sinks = Tolerance(
         min(1.5 * 2 * weight / (SPRING * way), LARGEST_TOLERANCE),
@@ -109,7 +112,10 @@ def _bounds(lam: float, weight: float, way: float) -> dict[Method, Tolerance]:
         Method.SECOND_ORDER: turns,
         Method.STRAIGHT: turns,
         Method.FIRST_ORDER: Tolerance(
-            min(0.51 * lam * STEP, LARGEST_TOLERANCE), "an error of lam dt/2", dt=STEP, order=1
+            min(0.51 * lam * STEP, LARGEST_TOLERANCE),
+            "an error of lam dt/2, lam the rate at which it topples",
+            dt=STEP,
+            order=1,
         ),
         Method.PENALTY: sinks,
         Method.LAGGING: sinks,

@@ -44,6 +44,8 @@ def refusal(case: Case, variant: str, setting: str) -> str:
     return ""
 
 
+# Python ignores, with a warning, the end of a calculation that comes while it frees an object.
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("name", PROJECT.case_names())
 def test_any_value_is_planned_or_refused_in_a_sentence(
     name: str, monkeypatch: pytest.MonkeyPatch
