@@ -22,11 +22,8 @@ KERNEL = (
 )  # fmt: skip
 PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "at", "cross",
         "add_scaled")  # fmt: skip
-SWITCHES = (
-    "switch",
-    "switch_compiled",
-    "switch_plain",
-)  # files here that the copy has in vv/
+# files here that the copy has in vv/
+SWITCHES = ("switch", "switch_compiled", "switch_plain")
 
 
 def build(folder: Path, mutants: Sequence[Mutant]) -> dict[str, int]:

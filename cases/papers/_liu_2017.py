@@ -6,28 +6,39 @@ import functools
 from collections.abc import Callable
 from math import exp, log, sqrt
 
-import numpy as np
-from numpy.typing import NDArray
-
 from cases._papers import LIU_2017
+from cases.bonds._quartzite_lattice import (
+    BLOCK,
+    ELEMENT,
+    FS0,
+    KN,
+    KS,
+    MASS,
+    MU_P,
+    XB,
+    D,
+    at_faces,
+    bonds_downward,
+    decay_rate,
+    energy_dropped,
+    first_at_platens,
+    first_pair,
+    mean_error,
+    over_printed,
+    raised_strength,
+    share_of_modulus,
+    shear_at_break,
+    softest_direction,
+    strength_slid,
+)
 from reference_solutions.bonds import lattice_directions, tetrahedral_unit
 from reference_solutions.bonds import lattice_material as theory
-from reference_solutions.bonds.close_packed_lattice import SIZES, count, lattice, static
+from reference_solutions.bonds.close_packed_lattice import SIZES, count, static
 from reference_solutions.bonds.lattice_strength import first_opening
 from vv.ask import Knobs
 from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 
-D = 1e-3  # m
-MASS = theory.element_mass(2650.0, D)
-ELEMENT = theory.element(theory.QUARTZITE, D)
-KN, KS, XB, FS0, MU_P = ELEMENT
-CU = theory.sliding_strength(FS0, MU_P, D)
 FINEST = Knobs(2e-8)
-BLOCK = lattice(*SIZES[82], D)
-MODULI = (  # error of E [%] of the blocks, on the hull's area; of nu
-    (3.64, 2.29, 1.69, 1.34, 1.05, 0.83, 0.65, 0.54, 0.44),
-    (-1.28, -0.80, -0.39, -0.14, 1.10, 0.46, 0.75, 0.62, 0.54),
-)
 
 
 def _number(
@@ -39,90 +50,12 @@ def _number(
     return Statement(place, what, printed, assessment, why, unit, exact, computed, close)
 
 
-def _first_pair() -> NDArray[np.int64]:
-    """The two elements whose bond opens first as a block of 82 is pulled."""
-    i, j = BLOCK.bonds.T
-    n, u = (BLOCK.position[j] - BLOCK.position[i]) / D, static(BLOCK, KN, KS).u
-    return np.asarray(BLOCK.bonds[int(((u[j] - u[i]) * n).sum(axis=1).argmax())])
-
-
-def at_faces(elements: NDArray[np.int64]) -> float:
-    """How many of these elements have fewer than the twelve bonds of an inner one."""
-    return float((np.bincount(BLOCK.bonds.ravel())[elements] < 12).sum())
-
-
-def _over(state: tetrahedral_unit.State, printed: float) -> float:
-    """The difference of a strength from the printed formula, in %."""
-    return 100.0 * (abs(state.stress) / printed - 1.0)
-
-
-def _softest() -> float:
-    """The least E over E_z; around the axis all directions are alike."""
-    tilts = np.linspace(0.0, np.pi / 2.0, 181)
-    sides = np.stack([np.cos(tilts), np.zeros(181), np.sin(tilts)], axis=1)
-    return min(_share(side.tolist()) for side in sides)
-
-
-def _blocks(which: int, signed: bool = True) -> float:
-    errors = MODULI[which]
-    return sum(e if signed else abs(e) for e in errors) / len(errors)
-
-
-def _downward() -> float:
-    """The fewest bonds that an element of the last layer has with the layer below."""
-    top = BLOCK.at(2, 1)[BLOCK.bonds]
-    crossing = BLOCK.bonds[top.sum(axis=1) == 1]
-    ends = crossing[BLOCK.at(2, 1)[crossing]]
-    return float(np.bincount(ends)[np.flatnonzero(BLOCK.at(2, 1))].min())
-
-
-def _decay() -> float:
-    """The decay rate eta/m [1/s] of kinetic energy by Eq. 28, in a block of 2166."""
-    block = lattice(*SIZES[2166], D)
-    return float(D / (block.area * block.height) ** (1.0 / 3.0)) * sqrt(8.0 * KN / MASS)
-
-
-def _dropped() -> float:
-    """The part [%] of its elastic energy that a lattice of constant length loses at A1."""
-    with_base = 9.0 * KN * (KN + KS) / (5.0 * KN + KS)  # Fz/dz by Eq. 2a
-    without = 9.0 * KN * KS / (KN + 2.0 * KS)  # by Eq. 9, with Fx = 0
-    return 100.0 * (1.0 - without / with_base)
-
-
-def _sheared() -> float:
-    """F_s1 over F_smax as a pulled unit breaks: by Eqs. 1, 2b and 2c."""
-    shear = 2.0 * sqrt(2.0) * KN / (3.0 * KN + KS) * XB * KS
-    return shear / (FS0 - MU_P * KN * XB)
-
-
-def _raised() -> float:
-    """T_u of a block of 82 over the quartzite's, once its X_b is increased by 9.76 %."""
-    return first_opening(BLOCK, static(BLOCK, KN, KS), 1.0976 * XB) / 25e6
-
-
-def _slid(times: float) -> float:
-    """C_u [Pa] of a unit with `times` the shear resistance."""
-    stronger = ELEMENT._replace(fs0=times * FS0)
-    return -tetrahedral_unit.sliding_failure(stronger, D).stress
-
-
-def _first_to_open() -> float:
-    """The number of the two elements of the first bond to open that touch a platen."""
-    return float((BLOCK.at(2, 0) | BLOCK.at(2, 1))[_first_pair()].sum())
-
-
 def _strength(variant: str, quantity: str) -> Computed:
     return Computed("tetrahedral-strength", variant, quantity, times=100.0, rung=FINEST)
 
 
 def _of_path(variant: str, quantity: str) -> Computed:
     return Computed("tetrahedral-path", variant, quantity, times=100.0)
-
-
-def _share(direction: list[float]) -> float:
-    """E along a direction of the lattice over that along the axis of the unit."""
-    along = lattice_directions.modulus(direction, kn=KN, ks=KS, d=D)
-    return along / theory.youngs_modulus(KN, KS, D)
 
 
 REPRODUCED, DIFFERS, MISPRINT, WRONG, OPEN = Assessment
@@ -161,7 +94,7 @@ EQUATIONS = (
     Statement("Sec. 3.3", "a pulled unit breaks as its inclined bonds open; their shear force then "
               "over the largest of Eq. 1", "", REPRODUCED, "the shear force is far from the limit "
               "of sliding", "",
-              _sheared),
+              shear_at_break),
     Statement("Eq. 11a", "sigma_xx = sqrt6 Fx/d^2", "2.449 Fx/d^2", MISPRINT,
               "a section through the lattice, and the virial, give half as much",
               exact=lambda: sqrt(6.0) / 2.0),
@@ -200,7 +133,7 @@ UNIT = (
               "a unit that is pulled slowly is stronger than Eq. 7 by 0.0057 %, and by 0.029 % at "
               "the paper's rate; the paper's step of 1.70e-10 m is 0.075 % of the strain at "
               "failure, more than the difference that it states",
-              "%", lambda: _over(tetrahedral_unit.tension_failure(ELEMENT, D), 25e6),
+              "%", lambda: over_printed(tetrahedral_unit.tension_failure(ELEMENT, D), 25e6),
               (_strength("pulled", "T_u over Eq. 7"),
                _strength("pulled-share", "T_u at the paper's rate"))),
     Statement("Sec. 5.2", "C_u of a unit is 1.73 % lower than Eq. 14", "-1.73", REPRODUCED,
@@ -222,12 +155,12 @@ BLOCKS = (
     Statement("Sec. 5.2", "mean error of E of the blocks", "0.6", OPEN,
               "E depends on the area of the stress, which is not stated; on the hull of the "
               "centres the error is 3.64 % at 82 elements and 0.44 % at 37 681", "%",
-              lambda: _blocks(0),
+              lambda: mean_error(0),
               tuple(Computed("close-packed-lattice", str(n), "E-excess", times=100.0)
                     for n in (82, 255, 580, 1105))),
     Statement("Sec. 5.2", "mean error of nu of the blocks", "0.6", REPRODUCED,
               "the mean of the absolute errors, with the mean of nu along x and y, which differ by "
-              "up to 26 %", "%", lambda: _blocks(1, signed=False), close=0.1,
+              "up to 26 %", "%", lambda: mean_error(1, signed=False), close=0.1,
               computed=tuple(Computed("close-packed-lattice", str(n), "nu", Figure.VALUE)
                          for n in (82, 255, 580, 1105))),
     Statement("Sec. 5.2", "T_u of the blocks is lower than Eq. 7 on average", "8.89", REPRODUCED,
@@ -247,22 +180,22 @@ BLOCKS = (
               "elements", "",
               REPRODUCED, "blocks are linear until the first bond opens, so that this is right for "
               "the mean and for no single size: at 37 681 elements the ratio is "
-              "0.991", "", _raised),
+              "0.991", "", raised_strength),
     Statement("Sec. 6", "the unit is centrosymmetric, so that along its other three axes E is the "
               "same", "1", WRONG, "hexagonal close packing is not centrosymmetric; shown is E over "
               "E_z. A box of 1687 elements is softer because of its faces, which are not "
               "layers", "",
-              lambda: _share([sqrt(8.0), 0.0, -1.0]),
+              lambda: share_of_modulus([sqrt(8.0), 0.0, -1.0]),
               (Computed("close-packed-lattice", "vertex", "share"),)),
     Statement("Sec. 6", "E is 'a bit lower' along other directions; E over E_z in the plane of the "
               "base", "", REPRODUCED, "the smallest ratio of all directions is 0.829", "",
-              lambda: _share([1.0, 0.0, 0.0])),
+              lambda: share_of_modulus([1.0, 0.0, 0.0])),
     Statement("Sec. 6", "other lattices agree with finite elements (Asahina and others), so that "
               "anisotropy is not significant", "", OPEN, "this is a statement of other papers; "
-              "shown is the smallest E of this lattice over E_z", "", _softest),
+              "shown is the smallest E of this lattice over E_z", "", softest_direction),
     Statement("Sec. 3.2", "Eqs. 4 and 6 also follow from the strain energy of the lattice (Wang "
               "and Mora)", "", REPRODUCED, "E of the infinite lattice along z, by strain energy, "
-              "over that of Eq. 6", "", lambda: _share([0.0, 0.0, 1.0])),
+              "over that of Eq. 6", "", lambda: share_of_modulus([0.0, 0.0, 1.0])),
     Statement("Sec. 6", "shear forces act at the centres of elements, not at their surfaces", "",
               REPRODUCED, "the model is built like that; a unit then resists a rotation as a whole "
               "by the energy 2 Ks d^2 th^2, which no material does; shown at 1e-3 rad", "J",
@@ -297,10 +230,10 @@ BLOCKS = (
     Statement("Figs. 4c, d", "T_u and C_u of each size", "", OPEN,
               "they are drawn and not printed; only their means are given"),
     Statement("Sec. 5.2", "bonds of a boundary element P with what lies below it", "1", REPRODUCED,
-              "the fewest in the last layer of a block of 82", exact=_downward),
+              "the fewest in the last layer of a block of 82", exact=bonds_downward),
     Statement("Sec. 5.2", "the bond of such an element breaks before all others", "", DIFFERS,
               "between smooth rigid platens a block opens first at a side; shown is how many of "
-              "the two elements there touch a platen, at 82 elements", exact=_first_to_open),
+              "the two elements there touch a platen, at 82 elements", exact=first_at_platens),
     Statement("Sec. 5.1", "a step of 1e-8 s is very small; the largest stable one of the lattice",
               "", REPRODUCED, "the paper states no limit; shown is that of a block of 82 over "
               "it", "s",
@@ -311,10 +244,10 @@ BLOCKS = (
               "then", "", DIFFERS, "in a block of 2166, by exp(-eta t/2m) with "
               "Eq. 28 and 1e-8 s: half of the amplitude remains; a wave at sqrt(E/rho) travels 5.8 "
               "mm in that time, half the height of the "
-              "block", "", lambda: exp(-_decay() * 1e-6 / 2.0)),
+              "block", "", lambda: exp(-decay_rate() * 1e-6 / 2.0)),
     Statement("Sec. 5.1", "kinetic energy falls quickly by Eq. 28; time in which 99 % of it goes",
               "", REPRODUCED, "in a block of 2166; it fails in 1e-4 s", "s",
-              lambda: log(100.0) / _decay()),
+              lambda: log(100.0) / decay_rate()),
     Statement("Sec. 5.1", "strain of a unit in one step of 1.70e-10 m", "", REPRODUCED,
               "five steps make the -1e-6 at which E and nu are tested", "",
               lambda: 1.70e-10 / (D * sqrt(2.0 / 3.0))),
@@ -330,11 +263,11 @@ BLOCKS = (
               ),
     Statement("Sec. 5.2", "cracks form first around the boundaries; how many of the two elements "
               "of the first bond to open lie at a face", "", REPRODUCED, "as a block of 82 is "
-              "pulled; the paper gives no number", exact=lambda: at_faces(_first_pair())),
+              "pulled; the paper gives no number", exact=lambda: at_faces(first_pair())),
     Statement("Sec. 6", "C_u can be raised by F_s0 without changing mu_i; C_u for twice F_s0 over "
               "that for once", "", REPRODUCED, "by Eqs. 14 and 15; computed at finite "
               "displacement", "",
-              lambda: _slid(2.0) / _slid(1.0)),
+              lambda: strength_slid(2.0) / strength_slid(1.0)),
     Statement("Sec. 1", "heat calculated by others is up to 10 times less than by theory", "", OPEN,
               "it is of other papers, whose models are not given here"),
 )  # fmt: skip
@@ -383,7 +316,7 @@ FAILURE = (
     Statement("Fig. 6a", "the elastic energy drops a bit at A1; part of it, once all level bonds "
               "are open", "", REPRODUCED, "in a lattice of constant length, by Eqs. 2a and 9; the "
               "energy at A1 is a seventh of that at A2, so that the drop looks "
-              "small", "%", _dropped),
+              "small", "%", energy_dropped),
     Statement("Sec. 5.3", "failure under pressure takes about", "1e-4", OPEN,
               "it depends on the rate of the platen, which is not given beyond 1.70e-9 m in 100 "
               "steps of 1e-8 s, and on the size; shown for 82 elements at our rate", "s", "",

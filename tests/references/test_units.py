@@ -32,8 +32,10 @@ from tests.references.units import (
     NONE,
     RATE,
     SPEED,
+    SPHERES,
     SPRING,
     STICKY,
+    STRUCK,
     TIME,
     Array,
     Claim,
@@ -55,12 +57,6 @@ PAIR = {
     "ks": (4e6, SPRING), "mu": (0.3, NONE), "gap": (1e-4, LENGTH), "v_n": (0.04, SPEED),
     "v_t": (0.03, SPEED), "w1": (0.2, RATE), "w2": (-0.4, RATE), "load": (26.0, FORCE),
 }  # fmt: skip
-SPHERES = {
-    "K": (2e9, HERTZ), "S": (1.8e9, HERTZ), "r1": (0.1, LENGTH), "m1": (11.3, MASS),
-    "r2": (0.2, LENGTH), "m2": (90.0, MASS), "vn": (0.4, SPEED), "vt": (0.3, SPEED),
-    "spin": (4.0, RATE), "partner_spin": (-1.0, RATE), "mu": (0.4, NONE),
-}  # fmt: skip
-STRUCK = (SPEED, SPEED, RATE, RATE, TIME, TIME)
 
 
 def struck(route: Any, z: float = 0.0) -> Callable[..., Any]:

@@ -22,6 +22,8 @@ from tests.references.units import (
     DENSITY,
     GRAVITY,
     INTEGRATED,
+    LADEN,
+    LADEN_GIVES,
     LENGTH,
     NONE,
     RATE,
@@ -99,9 +101,7 @@ CLAIMS = {
     ),
     "laden block": Claim(
         laden,
-        {**at(0.2, 0.9), "wide": (0.02, LENGTH), "rate": (7.0, RATE), "v": (9.0, SPEED),
-         "g": (9.81, GRAVITY)},
-        (LENGTH, SPEED, GRAVITY),
+        LADEN, LADEN_GIVES,
     ),
     "rocking": Claim(
         alone(rocking.leans),

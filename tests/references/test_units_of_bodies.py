@@ -21,6 +21,7 @@ from tests.references.units import (
     DRAG,
     FORCE,
     GRAVITY,
+    GROOVE,
     HERTZ,
     INTEGRATED,
     LENGTH,
@@ -40,7 +41,6 @@ from tests.references.units import (
 FLAT = (1.0, -2.0, 0.0)  # the density of a disc
 LOOSER = ("rod that slides", "arch that falls", "row across", "unit that turns")
 ROD = {"slope": (2.0, NONE), "half": (0.7, LENGTH), "V": (1.6, SPEED), "g": (9.81, GRAVITY)}
-GROOVE = {"dip": (30.0, NONE), "xi": (1.4, NONE), "mu": (0.3, NONE), "g": (9.81, GRAVITY)}
 BALL = {"rho": (2500.0, FLAT), "r": (0.1, LENGTH), "kn": (2e8, SPRING)}
 CORNERS = np.array([[0.0, 0.0, 0.8], [0.6, 0.0, 0.0], [-0.3, 0.5, 0.0], [-0.3, -0.5, 0.1]])
 EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [1, 3]])

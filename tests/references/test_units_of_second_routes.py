@@ -19,15 +19,20 @@ from tests.references.units import (
     DRAG,
     FORCE,
     GRAVITY,
+    GROOVE,
     HERTZ,
     INTEGRATED,
+    LADEN,
+    LADEN_GIVES,
     LENGTH,
     MASS,
     NONE,
     RATE,
     ROUNDING,
     SPEED,
+    SPHERES,
     SPRING,
+    STRUCK,
     TIME,
     Claim,
     alone,
@@ -36,13 +41,6 @@ from tests.references.units import (
 )
 
 LOOSER = ("incline", "responding block")
-SPHERES = {
-    "K": (2e9, HERTZ), "S": (1.8e9, HERTZ), "r1": (0.1, LENGTH), "m1": (11.3, MASS),
-    "r2": (0.2, LENGTH), "m2": (90.0, MASS), "vn": (0.4, SPEED), "vt": (0.3, SPEED),
-    "spin": (4.0, RATE), "partner_spin": (-1.0, RATE), "mu": (0.4, NONE),
-}  # fmt: skip
-STRUCK = (SPEED, SPEED, RATE, RATE, TIME, TIME)
-GROOVE = {"dip": (30.0, NONE), "xi": (1.4, NONE), "mu": (0.3, NONE), "g": (9.81, GRAVITY)}
 BALL = {
     "rho": (2500.0, (1.0, -2.0, 0.0)), "r": (0.1, LENGTH), "kn": (2e8, SPRING),
     "ks": (1.6e8, SPRING),
@@ -93,9 +91,7 @@ CLAIMS = {
     ),
     "laden block": Claim(
         laden,
-        {**at(0.2, 0.9), "wide": (0.02, LENGTH), "rate": (7.0, RATE), "v": (9.0, SPEED),
-         "g": (9.81, GRAVITY)},
-        (LENGTH, SPEED, GRAVITY),
+        LADEN, LADEN_GIVES,
     ),
     "rocking": Claim(
         lambda b, h, g, A, w, T, now, rate: (

@@ -23,6 +23,20 @@ ROUNDING = 1e-13  # of the largest value of a result
 INTEGRATED = 1e-9  # where an integrator or a search has absolute tolerances, below 1e-12 each
 UNITS = (2.0**12, 2.0**20, 2.0**16)  # of mass, length and time: their roots are powers of two too
 
+# values that several files of claims share
+SPHERES = {
+    "K": (2e9, HERTZ), "S": (1.8e9, HERTZ), "r1": (0.1, LENGTH), "m1": (11.3, MASS),
+    "r2": (0.2, LENGTH), "m2": (90.0, MASS), "vn": (0.4, SPEED), "vt": (0.3, SPEED),
+    "spin": (4.0, RATE), "partner_spin": (-1.0, RATE), "mu": (0.4, NONE),
+}  # fmt: skip
+STRUCK = (SPEED, SPEED, RATE, RATE, TIME, TIME)  # of what an impact of these spheres gives
+GROOVE = {"dip": (30.0, NONE), "xi": (1.4, NONE), "mu": (0.3, NONE), "g": (9.81, GRAVITY)}
+LADEN = {
+    "t": (np.array([0.2, 0.9]), TIME), "wide": (0.02, LENGTH), "rate": (7.0, RATE),
+    "v": (9.0, SPEED), "g": (9.81, GRAVITY),
+}  # fmt: skip
+LADEN_GIVES = (LENGTH, SPEED, GRAVITY)
+
 
 def scale(powers: Powers) -> float:
     """What a quantity of these powers of mass, length and time is multiplied by."""

@@ -33,6 +33,7 @@ from vv.plan.settings import parameters_with_settings
 
 PATIENCE = 20.0  # limit of CPU time [s] for the references of a variant at changed parameters
 REFUSED = (ValueError, ArithmeticError, RuntimeError)
+FAR = (*REFUSED, LookupError, MemoryError, TypeError)  # formulas also raise these at far values
 INERT = "inert, since the exact answer does not contain it: only numerical errors may change"
 
 
@@ -106,7 +107,7 @@ def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> 
     long. With default parameters they are left until a run is measured, because some are costly.
     """
     usual = dict(parameters) == case.defaults(variant)
-    refused = REFUSED if usual else (*REFUSED, Exception)  # far values fail in any way
+    refused = REFUSED if usual else FAR
     try:
         if usual:
             return case.declare(variant, parameters)

@@ -1,7 +1,7 @@
 """Claims about the private interface of numba by which kernels are compiled."""
 
 import inspect
-from typing import Any, NamedTuple
+from typing import Any
 
 import numba
 import numpy as np
@@ -27,21 +27,16 @@ from numba.core import (
 from numba.core import ir as numba_ir
 from numba.core.callconv import CPUCallConv
 from numba.core.cpu import CPUContext
-from numba.core.errors import TypingError
 from numba.core.rewrites import registry
 from numba.core.runtime import nrt
 from numba.core.runtime.context import NRTContext
 
-from vv.engines.kernels.arrays import zero_numbers
 from vv.engines.kernels.bundle_types import DATA
-from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.compiler.folding import Folding
 from vv.engines.kernels.compiler.lean import BUFFER, SHAPE, STRIDES, Lean
 from vv.engines.kernels.compiler.manager import without_events
 from vv.engines.kernels.compiler.parts import Part, Whole, linked
 from vv.engines.kernels.compiler.passes import CachedFlags
-from vv.scene import Vector
 
 CHANGED = (
     f"numba {numba.__version__} is not the numba that vv/engines/kernels is written for: "
@@ -83,119 +78,6 @@ MEMBERS: tuple[tuple[Any, tuple[str, ...]], ...] = (
 runtime: Any = nrt
 
 
-@bundle
-class Held(NamedTuple):
-    """A bundle; numbers: (n,)."""
-
-    numbers: Vector
-
-
-@lent
-def last(held: Held) -> float:
-    """The last of the numbers."""
-    return float(held.numbers[-1])
-
-
-@compiled
-def last_of_many(held: Held, rounds: int) -> float:
-    """The last number, read a number of times."""
-    total = 0.0
-    for _ in range(rounds):
-        total += last(held)
-    return total
-
-
-@lent
-def given(n: int) -> float:
-    """A function that only borrows arrays and must not be returned one."""
-    return float(zero_numbers(n)[0])
-
-
-@compiled
-def asks(n: int) -> float:
-    """A function that calls one which is returned an array."""
-    return given(n)
-
-
-@called
-def doubtful(number: int) -> int:
-    """A function that may raise."""
-    if number > 2:
-        raise ValueError("too many")
-    return number
-
-
-@called
-def between(number: int) -> int:
-    """A function that raises nothing itself but calls one that may."""
-    return doubtful(number)
-
-
-@compiled
-def told(number: int) -> int:
-    """A function that calls, by way of another, one that may raise."""
-    return between(number)
-
-
-@called
-def halves(n: int) -> tuple[Vector, Vector]:
-    """Two arrays, of which one is set in one branch only."""
-    low = zero_numbers(n)
-    high = low
-    if n > 2:
-        high = zero_numbers(2 * n)
-    return low, high
-
-
-@compiled
-def halved(n: int, rounds: int) -> int:
-    """The length of the second array, made a number of times."""
-    length = 0
-    for _ in range(rounds):
-        low, high = halves(n)
-        length = len(high) + 0 * len(low)
-    return length
-
-
-@compiled
-def looped(table: Vector, first: int, end: int) -> float:
-    """Elements from both ends, over ranges of all kinds."""
-    total = 0.0
-    for i in range(end):
-        for j in range(first, end):
-            total += table[i, j] + 10.0 * table[-1 - i, -1]
-    for i in range(end - 1, -1, -1):
-        table[i, 0] = len(table)
-    return total
-
-
-@lent
-def text_added(value: float) -> float:
-    """A function that cannot be typed."""
-    return value + "some"  # type: ignore[operator]
-
-
-@compiled
-def adds_text(value: float) -> float:
-    """A function that calls one that cannot be typed."""
-    return text_added(value)
-
-
-@lent
-def times_count(value: float, count: int) -> float:
-    """A multiple of the value."""
-    return value * count
-
-
-@compiled
-def three_times(value: float) -> float:
-    """Six times the value, by constants of two sizes and a variable."""
-    total = times_count(value, 1) + times_count(value, 2)
-    for k in range(4):
-        total += times_count(value, k) / 2.0
-    return total
-
-
 @pytest.mark.parametrize(("owner", "names"), MEMBERS, ids=lambda value: str(value)[:40])
 def test_numba_still_has_what_kernels_are_compiled_by(owner: Any, names: tuple[str, ...]) -> None:
     missing = [name for name in names if not hasattr(owner, name)]
@@ -225,29 +107,6 @@ def test_what_a_meminfo_holds_is_at_its_fourth_word() -> None:
     assert memory.data == whole.ctypes.data, CHANGED
 
 
-def test_a_lent_part_reads_a_bundle_and_leaves_its_references_alone() -> None:
-    numbers = np.array([1.0, 2.5])
-    last_of_many(Held(numbers), 1)
-    runtime._nrt.memsys_enable_stats()
-    before = runtime.rtsys.get_allocation_stats()
-    assert last_of_many(Held(numbers), 4) == 10.0
-    after = runtime.rtsys.get_allocation_stats()
-    assert after.mi_alloc - before.mi_alloc == after.mi_free - before.mi_free
-
-
-def test_a_lent_part_that_is_given_an_array_is_refused() -> None:
-    with pytest.raises(TypingError, match="nothing would free it"):
-        asks(2)
-
-
-def test_an_error_of_types_names_the_line_of_the_part_that_has_it() -> None:
-    with pytest.raises(TypingError) as failed:
-        adds_text(1.0)
-    source, first = inspect.getsourcelines(text_added.__wrapped__)  # type: ignore[attr-defined]
-    line = first + next(k for k, text in enumerate(source) if "return" in text)
-    assert f'test_numba.py", line {line}:' in str(failed.value)
-
-
 def test_variables_are_those_that_numba_lists() -> None:
     made: Any = numba_ir
     here = made.Loc("file", 1)
@@ -257,29 +116,6 @@ def test_variables_are_those_that_numba_lists() -> None:
     listed = [variable.name for variable in statement.list_vars()]
     with without_events():
         assert [variable.name for variable in statement.list_vars()] == listed == [*"abcb"]
-
-
-def test_a_part_is_compiled_once_whatever_constants_it_is_given() -> None:
-    assert three_times(2.0) == 12.0
-    # A kernel that was kept compiles no part.
-    three_times.recompile()  # type: ignore[attr-defined]
-    signatures = times_count.dispatcher.signatures  # type: ignore[attr-defined]
-    assert len(signatures) == 1
-
-
-def test_what_a_part_raises_reaches_python() -> None:
-    assert told(2) == 2
-    with pytest.raises(ValueError, match="too many"):
-        told(3)
-
-
-def test_arrays_that_parts_return_are_freed() -> None:
-    halved(3, 1)
-    runtime._nrt.memsys_enable_stats()
-    before = runtime.rtsys.get_allocation_stats()
-    assert halved(3, 10) == 6
-    after = runtime.rtsys.get_allocation_stats()
-    assert after.alloc - before.alloc == after.free - before.free == 20
 
 
 def test_a_word_of_a_structure_is_found_where_it_was_put() -> None:
@@ -300,13 +136,6 @@ def test_a_word_of_a_structure_is_found_where_it_was_put() -> None:
     assert builder.extract_value(changed, [0, 1]) is first
     assert builder.extract_value(changed, [0, 0]) is first
     assert builder.extract_value(changed, 0) is not whole
-
-
-def test_elements_and_ranges_are_those_of_python() -> None:
-    for table in (np.arange(9.0).reshape(3, 3), np.arange(18.0).reshape(3, 6)[:, ::2]):
-        wanted = looped.py_func(table.copy(), 1, 3)  # type: ignore[attr-defined]
-        assert looped(table, 1, 3) == wanted
-        assert list(table[:, 0]) == [3.0, 3.0, 3.0]
 
 
 def test_flags_that_are_settled_equal_those_they_were_made_of() -> None:

@@ -125,34 +125,30 @@ def test_late_drag_claims_no_order_of_bounces_to_rest_at_other_parameters(
     assert last is (Verdict.XFAIL if known else Verdict.FAIL)
 
 
-@pytest.mark.parametrize(
-    ("modified", "error", "known"),
-    [(True, 1.1e-2, True), (True, 5.1e-2, False), (False, 1.1e-2, False)],
-)
-def test_a_start_half_a_step_late_is_known_of_slow_slides_at_other_parameters(
-    modified: bool, error: float, known: bool
-) -> None:
-    made = changed(
-        record("dem/published", "held", 7.5e-5,
-               quantities=[entry("fail", {"max": error}, name="s")]),
-        case="slow-slide", modified=modified,
-    )  # fmt: skip
-    entries = read_disagreements(ROOT / "cases" / "disagreements.toml")
-    found = judge([made], entries, TODAY)[0].quantities[0].verdict
-    assert found is (Verdict.XFAIL if known else Verdict.FAIL)
+def off_once(label: str, variant: str, dt: float, name: str, error: float) -> Record:
+    """A record in which one quantity is off."""
+    return record(label, variant, dt, quantities=[entry("fail", {"max": error}, name=name)])
+
+
+LATE_START = ("dem/published", "held", 7.5e-5, "s")
+SLACK = ("dda/published", "gravity-25", 1e-3, "d")
 
 
 @pytest.mark.parametrize(
-    ("modified", "error", "known"), [(True, 0.2, True), (True, 1.1, False), (False, 0.2, False)]
+    ("case", "one", "modified", "error", "known"),
+    [
+        ("slow-slide", LATE_START, True, 1.1e-2, True),
+        ("slow-slide", LATE_START, True, 5.1e-2, False),
+        ("slow-slide", LATE_START, False, 1.1e-2, False),
+        ("incline", SLACK, True, 0.2, True),
+        ("incline", SLACK, True, 1.1, False),
+        ("incline", SLACK, False, 0.2, False),
+    ],
 )
-def test_slack_springs_of_published_steps_are_known_at_other_parameters(
-    modified: bool, error: float, known: bool
+def test_late_starts_and_slack_springs_of_replicas_are_known_at_other_parameters(
+    case: str, one: tuple[str, str, float, str], modified: bool, error: float, known: bool
 ) -> None:
-    made = changed(
-        record("dda/published", "gravity-25", 1e-3,
-               quantities=[entry("fail", {"max": error}, name="d")]),
-        case="incline", modified=modified,
-    )  # fmt: skip
+    made = changed(off_once(*one, error), case=case, modified=modified)
     entries = read_disagreements(ROOT / "cases" / "disagreements.toml")
     found = judge([made], entries, TODAY)[0].quantities[0].verdict
     assert found is (Verdict.XFAIL if known else Verdict.FAIL)
