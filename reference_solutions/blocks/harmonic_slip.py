@@ -111,7 +111,7 @@ def phases(
             _Slip(direction, q, v + (q * cos(angle) + p * x) / drive.omega) if direction else None
         )
         now, angle, v = then, after, 0.0
-    raise RuntimeError(f"{drive}; {len(found)} phases did not reach t = {end} s")
+    raise RuntimeError(f"{len(found)} phases did not reach t = {end} s")
 
 
 def displacement(t: Array, drive: Drive, history: tuple[Phase, ...]) -> Array:

@@ -106,7 +106,7 @@ def history(drive: Drive, end: float) -> tuple[Step, ...]:
         t, x, _ = steps[-1].after()
         if t >= end:
             return tuple(steps)
-    raise RuntimeError(f"{drive}; {len(steps)} steps did not reach t = {end} s")
+    raise RuntimeError(f"{len(steps)} steps did not reach t = {end} s")
 
 
 def displacement(t: Array, steps: tuple[Step, ...]) -> Array:
@@ -146,7 +146,7 @@ def _rest(drive: Drive, t: float, end: float) -> float:
         rise = 2.0 * float(signs @ (value * change.at(t)))
         root = sqrt(rise**2 - 2.0 * bend * excess)
         t += -2.0 * excess / (rise + root) if rise > 0.0 else (root - rise) / bend
-    raise RuntimeError(f"{drive}; the rest before t = {t} s does not end")
+    raise RuntimeError(f"the rest before t = {t} s does not end, with such accelerations")
 
 
 def _slip(drive: Drive, t: float, x: Array, end: float) -> Iterator[Step]:
@@ -177,7 +177,7 @@ def _slip(drive: Drive, t: float, x: Array, end: float) -> Iterator[Step]:
             yield Step(t, left, True, x, w, np.outer(-w / left, np.eye(NODES)[0]))
             return
         length = min(length, _NEARER * brake)
-    raise RuntimeError(f"{drive}; the slip at t = {t} s does not end")
+    raise RuntimeError(f"the slip at t = {t} s does not end, with such accelerations")
 
 
 def _braking(drive: Drive, t: float, w: Array) -> tuple[float, float]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import dataclasses
 import json
+import resource
 import sys
 from pathlib import Path
 from typing import Any
@@ -192,3 +193,17 @@ def test_a_driver_alone_keeps_its_lines_where_they_were() -> None:
     assert (
         ast.unparse(ast.parse(own_python._alone(text))) == "import os\nfrom math import pi\nx = 1"
     )
+
+
+@pytest.mark.parametrize("narrow", [False, True])
+def test_files_of_a_program_are_bounded_by_the_lower_of_its_limit_and_ours(
+    narrow: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    unbound, most = resource.RLIM_INFINITY, process._most()
+    soft = most // 2 if narrow else unbound
+    limits = [(soft, unbound)]
+    monkeypatch.setattr(resource, "getrlimit", lambda _: limits[-1])
+    monkeypatch.setattr(resource, "setrlimit", lambda _, pair: limits.append(pair))
+    with process._bounded():
+        assert limits[-1] == (min(most, soft) if narrow else most, unbound)
+    assert limits[-1] == (soft, unbound)

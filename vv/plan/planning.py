@@ -111,8 +111,8 @@ def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> 
     try:
         if usual:
             return case.declare(variant, parameters)
-        # nan is refused where data are created
-        with time_limit(PATIENCE), np.errstate(divide="ignore", invalid="ignore"):
+        # what is not finite is refused where data are created
+        with time_limit(PATIENCE), np.errstate(all="ignore"):
             trial = case.declare(variant, parameters)
             _evaluate_references(trial.quantities)
         return trial

@@ -90,6 +90,12 @@ def test_a_sheet_of_nothing_is_refused() -> None:
         balanced.packed(1, 3, 0.05)
 
 
+def test_a_sheet_too_large_for_a_full_matrix_is_refused() -> None:
+    assert len(balanced.packed(40, 50, 1.0)) == 1975
+    with pytest.raises(ValueError, match="at most 2000 spheres"):
+        balanced.packed(40, 51, 1.0)
+
+
 def test_smooth_spheres_that_may_turn_are_run() -> None:
     for smooth in ({"ks": 0.0}, {"mu": 0.0}):
         trial = CASE.declare("still", {**CASE.defaults("still"), **smooth})
