@@ -71,7 +71,7 @@ def _threshold_trial(p: Parameters, law: Law, w: float) -> Trial:
     ends = History(1.01 * math.pi / w, math.pi / w)
     block, exact = Leaning(p["b"], p["h"]), _exact(law, w, most, 0.0)
     held = p["g"] * p["b"] / p["h"]
-    leans = exact.leans(np.linspace(0.0, math.pi / w, AGAIN)) if most > held else np.zeros(1)
+    leans = exact.leans(np.linspace(0.0, math.pi / w, AGAIN))
     if not leans[np.argmax(leans > 0.0) :].min() > 0.0:
         raise ValueError(
             f"part = {p['part']!r}: a pulse of {most:.4g} m/s2, which must exceed g b/h = "

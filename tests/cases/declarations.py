@@ -20,7 +20,7 @@ import numpy as np
 from tests import ROOT
 from vv.ask import Ask, Displacement, Ledger, Run, Status
 from vv.case import Case, Level, Parameters, Quantity, Series, Trial, Variant
-from vv.output.gallery.declared_numbers import MANY, numbers
+from vv.output.gallery.declared_numbers import numbers
 from vv.plan.project import find
 
 RECORD = ROOT / "tests" / "cases" / "declarations.json"
@@ -34,10 +34,9 @@ Row = dict[str, str]  # what it is -> digest or numbers
 def declared(case: Case, variant: Variant) -> Row | str:
     """The row of a variant: a digest for each set of parameters, numbers for each quantity."""
     trial = case.declare(variant.name, case.defaults(variant.name))
-    bodies = sum(map(len, trial.study.scene.bodies))
-    if bodies > VAST:
+    if sum(map(len, trial.study.scene.bodies)) > VAST:
         return LARGE
-    others = [*draws(case, variant.name)] if bodies <= MANY else []
+    others = [*draws(case, variant.name)]
     with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
         drawn = {f"draw {i}": at(case, variant, one) for i, one in enumerate(others)}
         return {**drawn, **dict(measured(trial)), **measured_at(case, variant, others)}

@@ -1,9 +1,17 @@
 """Claims about `vv speed`: what an error costs, scaling, and what was not timed."""
 
 import json
+from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
 
 from tests.conftest import Tiny
+from vv.ask import Knobs
+from vv.case import Level
+from vv.cli import speed_command
 
 
 def test_speed_prints_what_an_error_costs_and_writes_it(tiny: Tiny, tmp_path: Path) -> None:
@@ -60,3 +68,50 @@ def test_speed_names_the_cases_that_it_left_out(tiny: Tiny) -> None:
     text = (tiny.root / "cases" / "fall.py").read_text().replace("timed=RUNGS[:2]", "timed=()")
     (tiny.root / "cases" / "drop.py").write_text(text.replace('name="fall"', 'name="drop"'))
     assert "not timed: drop, and" in tiny.vv("speed", "--codes", "fake/good").stdout
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is read of a job."""
+
+    variant: str
+    ask: Any
+    timed: bool
+    case: str = "fall"
+
+
+def timed_at_level_paper(knobs: Knobs, other_is_timed: bool) -> bool:
+    """Whether an untimed job is timed, by its setting and another job of its variant."""
+    default = (Knobs(0.1, 1e6), Knobs(0.05, 1e6))
+    levels = {Level.DEFAULT: default, Level.PAPER: (*default, Knobs(0.025, 1e6))}
+    trial = SimpleNamespace(study=SimpleNamespace(rungs=levels))
+    jobs = [
+        Job("up", SimpleNamespace(knobs=knobs), False),
+        Job("up", SimpleNamespace(knobs=Knobs(0.2, 1e6)), other_is_timed),
+        Job("slow", SimpleNamespace(knobs=knobs), True),
+    ]
+    plan: Any = SimpleNamespace(jobs=jobs, trials=dict.fromkeys([("fall", "up")], trial))
+    first, other, elsewhere = speed_command._all_timed(plan)
+    assert (other.timed, elsewhere.timed) == (other_is_timed, True)
+    return first.timed
+
+
+@pytest.mark.parametrize(
+    ("knobs", "timed"),
+    [
+        (Knobs(0.1, 1e6), True),
+        (Knobs(0.05, 1e6), True),
+        (Knobs(0.025, 1e6), False),
+        (Knobs(0.1, 1e7), False),
+        (Knobs(None, 1e6), True),  # a code that has no step
+        (Knobs(None, 1e7), False),
+        (Knobs(0.1, None), True),  # a code that has no stiffness
+        (Knobs(0.025, None), False),
+        (Knobs(None, None), True),
+    ],
+)
+def test_a_variant_that_times_nothing_is_timed_at_the_settings_of_level_default(
+    knobs: Knobs, timed: bool
+) -> None:
+    assert timed_at_level_paper(knobs, other_is_timed=False) is timed
+    assert not timed_at_level_paper(knobs, other_is_timed=True)

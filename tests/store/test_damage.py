@@ -18,6 +18,7 @@ from tests.support.fabricated import changed, manifest, record
 from vv.insight.history import history
 from vv.records import codec
 from vv.records.job_record import Record
+from vv.store import manifest_text
 from vv.store.array_files import arrays_in
 from vv.store.seal import opened_bytes, sealed_bytes
 from vv.store.store import Store
@@ -54,6 +55,14 @@ def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> No
     for read in (store.manifests.read, store.manifests.head):
         with pytest.raises(OSError, match="its first line has no seal: it is of an older form"):
             read("01")
+
+
+@pytest.mark.parametrize("body", ['"records": []}\n', '"cases": {}}\n'])
+def test_a_manifest_whose_records_are_not_grouped_by_case_is_none(body: str) -> None:
+    """Sealed as it is."""
+    text = manifest_text._sealed("01", manifest(name="01").provenance, {}, body)
+    with pytest.raises(ValueError, match="its records are not grouped by case"):
+        manifest_text.whole(text, "01")
 
 
 def test_a_case_whose_records_are_lost_is_damaged_and_not_without_any(tmp_path: Path) -> None:

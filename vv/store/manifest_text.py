@@ -58,7 +58,7 @@ def whole(text: str, name: str) -> Manifest:
     first, _, body = text.partition("\n")
     _check(_head(first, name), ALL, body, name)
     found = codec.parse(text)
-    if not isinstance(found, dict) or not isinstance(found.get("records"), dict):
+    if not isinstance(found.get("records"), dict):
         raise ValueError("its records are not grouped by case")
     own = {
         case: record_list.read(pile, f"manifest.records.{case}")

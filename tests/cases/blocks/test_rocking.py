@@ -95,16 +95,20 @@ def test_a_pulse_is_half_a_sine(f: float) -> None:
 
 
 @pytest.mark.parametrize(
-    "given",
+    ("given", "held"),
     [
-        {"part": 0.45},  # the pulse does not lift the block
-        {"b": 0.268, "h": 0.791, "part": 0.642, "f": 0.738, "g": 9.49},  # it lands in the pulse
+        ({"part": 0.45}, 3.27),  # the pulse does not lift the block
+        (  # it lands in the pulse
+            {"b": 0.268, "h": 0.791, "part": 0.642, "f": 0.738, "g": 9.49},
+            3.215,
+        ),
     ],
 )
 def test_a_pulse_after_which_the_block_does_not_lean_shows_no_threshold(
-    given: dict[str, float],
+    given: dict[str, float], held: float
 ) -> None:
-    with pytest.raises(ValueError, match="still leans when it ends"):
+    said = rf"g b/h = {held} m/s2 by so much that the block still leans when it ends"
+    with pytest.raises(ValueError, match=said):
         CASE.declare("threshold", {**CASE.defaults("threshold"), **given})
 
 

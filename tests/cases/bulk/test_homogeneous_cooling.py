@@ -92,3 +92,24 @@ def test_contacts_hold_half_as_much_as_their_temperature_of_all_that_the_gas_has
     )
     due = cooling.touching(found, m=p["m"], kn=p["kn"])
     assert met.reference == pytest.approx(due, rel=1e-4)  # its own search is accurate to 1e-5
+
+
+@pytest.mark.parametrize("variant", ["viscous-1", "elastic-1"])
+def test_a_gas_in_other_units_of_time_and_mass_is_the_same_gas(variant: str) -> None:
+    """A unit of time is halved, then one of mass divided by three."""
+    p = gas.CASE.defaults(variant)
+    first = gas.CASE.declare(variant, p)
+    powers = {"cooling rate": (1, 0), "contacts": (0, 0), "flatness": (0, 0), "energy": (2, 1)}
+    for faster, heavier in ((2.0, 1.0), (1.0, 3.0)):
+        law = {"v": faster * p["v"], "m": heavier * p["m"], "kn": faster**2 * heavier * p["kn"]}
+        other = gas.CASE.declare(variant, {**p, **law})
+        assert other.study.goal.duration == pytest.approx(first.study.goal.duration / faster)
+        assert other.study.goal.interval == pytest.approx(first.study.goal.interval / faster)
+        for one, same in zip(other.quantities, first.quantities, strict=True):
+            assert isinstance(one, Scalar)
+            assert isinstance(same, Scalar)
+            of_time, of_mass = powers[one.name]
+            assert isinstance(same.reference, float)
+            assert one.reference == pytest.approx(
+                faster**of_time * heavier**of_mass * same.reference, rel=1e-9
+            )

@@ -14,6 +14,7 @@ from vv.codes.tiny_scenes.tiny_scene import (
     Terms,
     TinyScene,
     Z,
+    steady,
     thrown,
 )
 from vv.scene import Block, Contact, Scene, Term, Vector, Wall, box_geometry
@@ -29,7 +30,7 @@ def flight(terms: Terms) -> TinyScene:
     pull = PULL if Term.GRAVITY in terms else np.zeros(3)
     scene = Scene((_block(THROWN),), _law(terms), gravity=pull)
     wrong = {
-        "gravity is left out": thrown(0 * PULL, THROWN),
+        "gravity is left out": steady(THROWN),
         "gravity is reversed": thrown(-PULL, THROWN),
         "gravity is taken twice": thrown(2 * PULL, THROWN),
     }
@@ -39,7 +40,7 @@ def flight(terms: Terms) -> TinyScene:
 def laden(terms: Terms) -> TinyScene:
     """A thrown block under a dead load."""
     wrong = {
-        "the load is left out": thrown(0 * LOAD, THROWN),
+        "the load is left out": steady(THROWN),
         "the load is reversed": thrown(-LOAD / MASS, THROWN),
     }
     scene = Scene((_block(THROWN, LOAD),), _law(terms))

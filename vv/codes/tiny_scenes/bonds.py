@@ -16,7 +16,7 @@ from vv.codes.tiny_scenes.tiny_scene import (
     Z,
     along,
     sphere,
-    thrown,
+    steady,
 )
 from vv.scene import Bonds, Contact, Scene, Vector
 
@@ -31,7 +31,7 @@ TORN = 0.5  # m/s: the loss of velocity when the bond breaks
 def pulled(terms: Terms) -> TinyScene:
     """A sphere that oscillates along the bond."""
     wrong = {
-        "the bond is left out": thrown(0 * Z, FACING),
+        "the bond is left out": steady(FACING),
         "the bond is twice as stiff": _swing(np.sqrt(2) * RATE, FACING),
         "the bond is half as stiff": _swing(np.sqrt(0.5) * RATE, FACING),
     }
@@ -42,7 +42,7 @@ def sheared(terms: Terms) -> TinyScene:
     """A sphere that oscillates across the bond."""
     rate, speed = np.sqrt(SOFT) * RATE, GENTLY * ACROSS
     wrong = {
-        "a bond resists no shear": thrown(0 * Z, speed),
+        "a bond resists no shear": steady(speed),
         "a bond is as stiff across as along": _swing(RATE, speed),
         "a bond is twice as stiff across": _swing(np.sqrt(2) * rate, speed),
         "a bond is half as stiff across": _swing(np.sqrt(0.5) * rate, speed),
@@ -61,7 +61,7 @@ def broken(terms: Terms) -> TinyScene:
 
     wrong = {
         "the bond does not break": _swing(RATE, FACING),
-        "the bond is left out": thrown(0 * Z, FACING),
+        "the bond is left out": steady(FACING),
     }
     return _bonded("breakage", FACING, FACING, 0.0, along(FACING, way), wrong, strength)
 

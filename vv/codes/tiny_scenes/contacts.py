@@ -20,7 +20,7 @@ from vv.codes.tiny_scenes.tiny_scene import (
     Z,
     along,
     sphere,
-    thrown,
+    steady,
 )
 from vv.scene import Contact, Harmonic, Hertz, Scene, Vector, Wall
 
@@ -58,14 +58,14 @@ def moving_wall(terms: Terms) -> TinyScene:
     """A sphere at rest is pushed off by a wall that oscillates at twice its own frequency."""
     sway = Harmonic(SWAY * FACING, np.full(3, RATE / np.pi))
     bodies = (Wall(PLACE - RADIUS * FACING, FACING, sway), sphere(0 * Z))
-    wrong = {"the wall stands still": thrown(0 * Z, 0 * Z)}
+    wrong = {"the wall stands still": steady(0 * Z)}
     return TinyScene("moving wall", Scene(bodies, Contact(KN)), 0.1, along(FACING, _pushed), wrong)
 
 
 def hertz(terms: Terms) -> TinyScene:
     """A sphere that meets an elastic wall."""
     wrong = {
-        "contact is left out": thrown(0 * Z, -FACING),
+        "contact is left out": steady(-FACING),
         "contact is twice as stiff": along(FACING, _elastic(2 * MODULUS)),
         "contact is half as stiff": along(FACING, _elastic(MODULUS / 2)),
     }
@@ -92,7 +92,7 @@ def _against(
 
 def _met(direction: Vector) -> Mapping[str, Motion]:
     return {
-        "contact is left out": thrown(np.zeros(3), -direction),
+        "contact is left out": steady(-direction),
         "contact is twice as stiff": along(direction, _rebound(np.sqrt(2) * RATE)),
         "contact is half as stiff": along(direction, _rebound(np.sqrt(0.5) * RATE)),
         "contact has another mass, such as that of a radius and a density": along(

@@ -20,6 +20,7 @@ from vv.codes.tiny_scenes.tiny_scene import (
     along,
     both,
     sphere,
+    steady,
     thrown,
 )
 from vv.scene import Contact, Fluid, Harmonic, Pulse, Scene, Term, Vector, Wall
@@ -40,7 +41,7 @@ def flight(terms: Terms) -> TinyScene:
     pull = _pull(terms)
     scene = Scene((sphere(THROWN),), Contact(KN), gravity=pull)
     wrong = {
-        "gravity is left out": thrown(0 * PULL, THROWN),
+        "gravity is left out": steady(THROWN),
         "gravity is reversed": thrown(-PULL, THROWN),
         "gravity is taken twice": thrown(2 * PULL, THROWN),
         "gravity is a force, not an acceleration": thrown(PULL / MASS, THROWN),
@@ -52,7 +53,7 @@ def laden(terms: Terms) -> TinyScene:
     """A thrown sphere under a dead load."""
     body = dataclasses.replace(sphere(THROWN), load=LOAD[None])
     wrong = {
-        "the load is left out": thrown(0 * LOAD, THROWN),
+        "the load is left out": steady(THROWN),
         "the load is reversed": thrown(-LOAD / MASS, THROWN),
         "the load is taken twice": thrown(2 * LOAD / MASS, THROWN),
         "the load is an acceleration, not a force": thrown(LOAD, THROWN),
@@ -70,7 +71,7 @@ def lock(terms: Terms) -> TinyScene:
         return TinyScene("lock", scene, 1.0, kept, {"the lock is not kept": loose})
     depth = 0.01
     scene = Scene((Wall(PLACE - (RADIUS - depth) * Z, Z), sphere(speed, free)), Contact(KN))
-    return TinyScene("lock", scene, 0.15, thrown(0 * Z, speed))
+    return TinyScene("lock", scene, 0.15, steady(speed))
 
 
 def oblique(terms: Terms) -> TinyScene:
@@ -104,7 +105,7 @@ def drag(terms: Terms) -> TinyScene:
         return motion
 
     wrong = {
-        "drag is left out": thrown(0 * THROWN, THROWN),
+        "drag is left out": steady(THROWN),
         "drag is twice as strong": slowed(2 * ETA),
         "drag is half as strong": slowed(ETA / 2),
         "drag is a rate, not divided by the mass": slowed(ETA * MASS),
@@ -120,7 +121,7 @@ def fluid(terms: Terms) -> TinyScene:
         return along(THROWN / np.linalg.norm(THROWN), _in_fluid(by, share))
 
     wrong = {
-        "the fluid is left out": thrown(0 * THROWN, THROWN),
+        "the fluid is left out": steady(THROWN),
         "drag grows as the speed alone": slowed(1.0, 0.0),
         "drag of the fluid is twice as strong": slowed(2.0, 1.0),
         "drag of the fluid is half as strong": slowed(0.5, 1.0),
@@ -133,7 +134,7 @@ def shaken(terms: Terms) -> TinyScene:
     """A thrown sphere under a sine, which does not start at zero."""
     scene = Scene((sphere(THROWN),), Contact(KN), shaking=_sine())
     wrong = {
-        "shaking is left out": thrown(0 * THROWN, THROWN),
+        "shaking is left out": steady(THROWN),
         "shaking is reversed": _under(-SHAKEN, PHASE, np.inf),
         "the phase of shaking is left out": _under(SHAKEN, 0.0, np.inf),
     }
@@ -186,4 +187,4 @@ def _under(size: Vector, phase: float, until: float) -> Motion:
         moved = (on * np.cos(phase) - (np.sin(rate * on + phase) - np.sin(phase)) / rate) / rate
         return moved + after * speed, speed
 
-    return both(thrown(0 * size, THROWN), along(size, way))
+    return both(steady(THROWN), along(size, way))

@@ -20,7 +20,7 @@ from vv.codes.tiny_scenes.tiny_scene import (
     along,
     both,
     sphere,
-    thrown,
+    steady,
 )
 from vv.scene import Contact, Scene, Vector, Wall
 
@@ -40,7 +40,7 @@ REVERSED = "the shear force is reversed"
 def skid(terms: Terms) -> TinyScene:
     """A sphere pressed on a wall: it slides, is stopped by the shear spring, and moves back."""
     wrong = {
-        "friction is left out": thrown(0 * Z, ACROSS),
+        "friction is left out": steady(ACROSS),
         "friction is half as strong": _skid(RATE, 0.5 * _reach(RATE)),
         "the shear spring is twice as stiff": _skid(np.sqrt(2) * RATE, 0.5 * _reach(RATE)),
         "the shear spring is half as stiff": _skid(np.sqrt(0.5) * RATE, 2 * _reach(RATE)),
@@ -54,7 +54,7 @@ def roll(terms: Terms) -> TinyScene:
     """The same sphere, free to rotate: it rolls when slip ends."""
     wrong = {
         "rotation is left out": _skid(RATE / np.sqrt(TURNING), _reach(RATE)),
-        "friction is left out": thrown(0 * Z, ACROSS),
+        "friction is left out": steady(ACROSS),
         "friction is half as strong": _roll(0.5 * _reach(RATE)),
         UNLIMITED: _roll(np.inf),
         REVERSED: _of_centre(_driven(RATE)),
@@ -69,7 +69,7 @@ def viscous_skid(terms: Terms) -> TinyScene:
     law = Contact(KN, STIFF, ROUGH, eta_n=ETA_N)
     scene = Scene((Wall(PLACE - RADIUS * Z, Z), sphere(FAST * ACROSS - Z)), law)
     wrong = {
-        "friction is left out": both(thrown(0 * Z, FAST * ACROSS), _landing),
+        "friction is left out": both(steady(FAST * ACROSS), _landing),
         "friction is twice as strong": _slipping(2 * ROUGH),
     }
     return TinyScene("viscous skid", scene, 0.15, _slipping(ROUGH), wrong, smooth=False)

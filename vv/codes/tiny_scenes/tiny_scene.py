@@ -119,6 +119,11 @@ def thrown(pull: Vector, speed: Vector) -> Motion:
     return motion
 
 
+def steady(speed: Vector) -> Motion:
+    """The path of a body that keeps a velocity (3,) [m/s]."""
+    return thrown(np.zeros(3), speed)
+
+
 def along(direction: Vector, way: Way) -> Motion:
     """A motion on a line along a direction (3,)."""
 
