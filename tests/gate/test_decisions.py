@@ -40,6 +40,7 @@ def test_a_change_of_an_error_is_told_in_digits_that_show_it(
         (1e-4 - 3e-9, 3.0, "better", 3.0),
         (1e-4, 3.0 + 8e-9, "moved", 4.0),  # over the scale, 2
         (1e-4, 3.0 - 8e-9, "moved", 4.0),
+        (1e-4, -3.0, "moved", 3e9),  # as large, but the other way
         (1e-4 + 3e-9, 3.0 + 8e-9, "worse", 4.0),  # the larger of both
         (1e-4, 3.0 + 1.9e-9, None, 0.0),
     ],

@@ -61,6 +61,15 @@ def test_how_far_errors_and_costs_moved_is_told_with_its_factor() -> None:
         assert found.size == pytest.approx(math.log(size))
 
 
+@pytest.mark.parametrize(("was", "now", "text"), [(2.0, 1.5, "2.00 -> 1.50"),
+                                                   (1.5, 2.0, "1.50 -> 2.00")])  # fmt: skip
+def test_an_order_is_told_as_it_was_and_then_as_it_is(was: float, now: float, text: str) -> None:
+    found = changes(manifest(*ladder(slope=was)), manifest(*ladder(slope=now)))
+    (order,) = (change for change in found if change.kind == "order")
+    assert (order.where, order.text) == ("bounce:T1 dem/default y", text)
+    assert order.size == pytest.approx(0.5)
+
+
 @pytest.mark.parametrize(
     ("was", "now", "count"),
     [(1e-4, 0.0, 1), (0.0, 1e-4, 1), (1e-30, 2e-30, 0), (1e-4, 1.0000001e-4, 0)],

@@ -82,6 +82,26 @@ def test_junit_carries_figures_and_changes(manifest: Manifest, tmp_path: Path) -
     assert "regression: better" in {p.name for p in properties}
 
 
+def test_junit_has_each_number_of_a_record_under_its_name(tmp_path: Path) -> None:
+    errors, figures = {"max": 1e-4, "l2": 2e-4}, {"final": 3.0, "mean": 4.0}
+    one = entry("pass", errors, figures=figures, tolerance=5e-3, note="late")
+    own = record("a/a", "T1", 1e-3, quantities=[one])
+    cost = dataclasses.replace(own.cost, startup=6.0, setup=7.0, solve_cpu=8.0, solve_wall=9.0)
+    (test,) = suite_of(manifest_of(dataclasses.replace(own, cost=cost)), tmp_path / "out.xml")
+    told = {p.name: p.value for p in next(iter(test.iterchildren(junitparser.Properties)))}
+    assert told == {
+        "verdict": "pass",
+        "tolerance": "0.005",
+        "error max": "0.0001",
+        "error l2": "0.0002",
+        "final": "3.0",
+        "mean": "4.0",
+        "note": "late",
+        "cpu": "8.0",
+    }
+    assert test.time == 9.0
+
+
 def test_the_summary_says_what_moved_worst_first_and_stays_short(
     manifest: Manifest,
 ) -> None:

@@ -31,6 +31,18 @@ def test_each_scheme_is_shown_at_its_finest_setting_with_order_and_bound(tmp_pat
     assert (row.claimed, row.allowed, row.verdict) == (2, 1e-3, "pass")
 
 
+def test_the_order_is_that_in_dt_at_the_stiffest_springs() -> None:
+    errors = {1e6: (1e-3, 1e-3, 1e-3), 1e7: (16e-5, 4e-5, 1e-5)}  # soft springs cost 1e-3
+    records = [
+        record("a/a", "T1", dt, rung={"dt": dt, "kn": kn}, quantities=[entry("pass", {"max": e})])
+        for kn, own in errors.items()
+        for dt, e in zip(STEPS, own, strict=True)
+    ]
+    (row,) = rows(records, [])
+    assert row.setting == "dt=0.001,kn=1e+07"
+    assert row.order == pytest.approx(2.0, abs=1e-9)
+
+
 def test_the_quantity_that_is_closest_to_its_bound_is_shown() -> None:
     near = entry("pass", {"max": 9e-5}, name="near", tolerance=1e-4)
     large = entry("pass", {"max": 5e-3}, name="large", tolerance=1e-1)

@@ -55,4 +55,6 @@ BUGS = (
     Bug("bands of own and of external codes exchanged", REGRESSION, "EXTERNAL if record.code in external else IN_HOUSE", "IN_HOUSE if record.code in external else EXTERNAL", tests="tests/gate/test_decisions.py"),
     Bug("a stored run that answers no ask is used", "vv/run/answering.py", "found = checked(run, job.ask)", "found = run", tests="tests/store/test_damage.py::test_a_stored_run_that_answers_no_ask_is_run_again"),
     Bug("a stored record without its quantities is used", "vv/run/answering.py", "if [one.name for one in summary.quantities] == due:", "if due is not None:", tests="tests/store/test_damage.py::test_a_record_that_leaves_a_quantity_out_is_made_again"),
+    Bug("a value of the other sign has not moved", REGRESSION, "[abs(a - b) for a, b in pairs", "[abs(abs(a) - abs(b)) for a, b in pairs", tests="tests/gate/test_decisions.py"),
+    Bug("an acceptance takes the number of another", "vv/gate/acceptance.py", "str(1 + max(map(int, old.acceptances), default=0))", "str(1 + len(old.acceptances))", tests="tests/gate/test_acceptance.py"),
 )  # fmt: skip

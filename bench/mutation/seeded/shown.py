@@ -50,4 +50,8 @@ BUGS = (
     Bug("what is recorded is told of the coarsest setting", "reports/variant/variant.py", "key=lambda result: fineness(result.rung))", "key=lambda result: fineness(result.rung), reverse=True)", tests="tests/reports/test_variant_part.py"),
     Bug("costs over those of the dearest", "reports/pages/overview.py", "best = min((cpu for cpu in known", "best = max((cpu for cpu in known", tests="tests/reports/test_readback.py"),
     Bug("a series of another run beside its error", "vv/store/store.py", "            check_series(arrays, quantities)\n", "", tests="tests/store/test_damage.py::test_a_series_that_is_not_that_of_its_figures_is_made_again"),
+    Bug("an order fitted over all stiffnesses", "vv/output/results_table.py", "[r for r in done if r.rung.kn == finest.rung.kn]", "done", tests="tests/output/test_results_table.py"),
+    Bug("CPU seconds that are those of the wall in JUnit", "vv/output/junit.py", '"cpu": record.cost.solve_cpu', '"cpu": record.cost.solve_wall', tests="tests/output/test_outputs.py"),
+    Bug("the order before told as that after", COMPARE, "_order_changes(orders(one.records), orders(other.records))", "_order_changes(orders(other.records), orders(one.records))", tests="tests/insight/test_compare.py"),
+    Bug("the best stiffness at the coarsest step", "reports/drawing/maps.py", "self.error[:, int(np.argmax(columns))]", "self.error[:, -1]", tests="tests/reports/drawing/test_map.py"),
 )  # fmt: skip

@@ -49,6 +49,14 @@ def test_a_cell_is_where_its_stiffness_and_step_are() -> None:
     assert panel.best() == 1e9
 
 
+def test_the_best_stiffness_is_that_at_the_finest_step_that_has_an_error() -> None:
+    soft = ladder("one", 1e7, {1e-3: 0.01, 1e-4: 0.05, 1e-5: None})
+    stiff = ladder("one", 1e9, {1e-3: 0.03, 1e-4: 0.002, 1e-5: None})
+    heat = error_map([soft, stiff])
+    assert heat is not None
+    assert [panel.best() for panel in heat.panels] == [1e9]
+
+
 def test_there_is_no_map_where_steps_follow_the_stiffness() -> None:
     assert error_map([*FULL[:2], ladder("one", 1e10, {1e-4: 0.1, 1e-5: 0.1})]) is None
     assert error_map(FULL[:1]) is None
