@@ -12,7 +12,7 @@ from vv.engines.rigid import PreparedRigidBlocks
 from vv.engines.rigid.limits import CONVERGED
 from vv.engines.rigid.point.model import Point
 from vv.engines.rigid.scales import scales
-from vv.engines.rigid.solve import LEDGER
+from vv.engines.rigid.solve import EPS, LEDGER
 from vv.gate.judgement import breaches
 from vv.plan.project import find
 from vv.scene import Contact, Scene
@@ -92,6 +92,10 @@ def test_friction_and_blows_that_give_energy_back_create_it() -> None:
     assert ledger.peak == pytest.approx(10.0)
     left = program._left_by_contacts()
     assert ledger.bound == pytest.approx(rounding + left)
+    program.report[:, 0] = 1e6  # works of contacts that cancel are rounded, too
+    large = program._left_by_contacts()
+    beyond = program._ledger().audits["energy beyond rounding [J]"][1]
+    assert beyond - program._ledger().audits["energy created [J]"][1] == pytest.approx(EPS * large)
     program.report[:, 0] = 0.0
     assert "energy beyond rounding [J]" not in program._ledger().audits
 

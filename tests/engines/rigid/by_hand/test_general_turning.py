@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 from tests.engines.blocks.test_any_blocks import turned
 from tests.engines.rigid.by_hand.general_runs import DRIVEN, HIT, KINETIC, RUBBED, Moved
 from tests.scenes.blocks.block_scenes import ACROSS, DOWN, FLOOR, IN_PLANE, box
+from vv.engines.rigid.limits import HITS
 from vv.scene import Contact, Scene, Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -106,6 +107,24 @@ def test_a_corner_that_hits_the_floor_stops_by_the_impulse_that_it_needs(
     lost = 0.5 * block.mass * (speed @ speed - due @ due - turns * spin**2)
     assert run.energy[-1, [HIT, RUBBED]].sum() == pytest.approx(lost, rel=5e-3)
     assert run.cuts.sum() >= 1.0
+
+
+@pytest.mark.parametrize(("part", "together"), [(0.5, True), (0.98, True), (1.02, False)])
+def test_edges_hit_together_that_nearly_touch_when_the_first_does(
+    part: float, together: bool
+) -> None:
+    """A tall block on smooth ground stops if both do; else they hit it one after the other."""
+    half, dt, fast = np.array([0.1, 0.2, 0.4]), 1e-3, 2.0
+    axes = tilted(part * HITS * dt * fast / (2.0 * half[0]))
+    low = half[0] * axes[0, 2] - half[2] * axes[2, 2]
+    block = box("b", [0.0, 0.0, 3e-4 - low], half, axes, velocity=[0.0, 0.0, -fast], **PLANAR)
+    run = Moved(Scene((FLOOR, block), Contact(np.inf, mu=0.0)), 2, dt)
+    turns = (half[0] ** 2 + half[2] ** 2) / 3.0
+    arm = half[0] ** 2 / turns
+    first = fast / (1.0 + arm)  # m/s, an impulse over the mass
+    second = (fast - first + arm * first) / (1.0 + arm)
+    due = 0.0 if together else (second - first) * half[0] / turns
+    assert run.w[-1, 0, 1] == pytest.approx(due, abs=1e-5)
 
 
 @pytest.mark.parametrize("seed", range(2))

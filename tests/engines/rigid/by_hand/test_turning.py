@@ -11,7 +11,7 @@ from vv.engines.rigid.general.turning import held_inverse, orthonormal, turn_by,
 pytestmark = pytest.mark.usefixtures("in_python")
 
 
-@pytest.mark.parametrize("size", [0.0, 5e-9, 2e-8, 1e-3, 1.0, 3.0])
+@pytest.mark.parametrize("size", [0.0, 1e-155, 5e-9, 1e-3, 1.0, 3.0])
 def test_a_rotation_turns_by_its_vector(size: float) -> None:
     random = np.random.default_rng(1)
     angle = random.normal(size=3)
@@ -50,3 +50,13 @@ def test_the_inverse_inertia_is_that_in_the_free_directions(free: int, unit: flo
     held_inverse(inertia, rows.T @ rows, out)
     due = rows.T @ np.linalg.inv(rows @ inertia @ rows.T) @ rows if free else np.zeros((3, 3))
     assert out == pytest.approx(due, abs=1e-12 / unit)
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_a_plate_turns_about_a_free_axis_in_it_or_along_its_normal(axis: int) -> None:
+    """A plate without thickness has about its normal the inertia of both axes in it."""
+    for normal in range(3):
+        inertia = np.roll([2.0, 3.0, 5.0], normal - 2)
+        free, out = np.diag(np.eye(3)[axis]), np.full((3, 3), np.nan)
+        held_inverse(np.diag(inertia), free, out)
+        assert out == pytest.approx(free / inertia[axis])

@@ -15,8 +15,8 @@ def turn_by(angle: Triple, rotation: Vector, out: Vector) -> None:
     """Fill out (3, 3) with exp(angle x) rotation for a rotation vector [rad] (Rodrigues)."""
     square = dot(angle, angle)
     size = np.sqrt(square)
-    sine = np.sin(size) / size if size > 1e-8 else 1.0
-    half = np.sin(0.5 * size) / size if size > 1e-8 else 0.5
+    sine = np.sin(size) / size if size > 0.0 else 0.0  # which zero angles multiply
+    half = np.sin(0.5 * size) / size if size > 0.0 else 0.0
     versine = 2.0 * half * half
     x, y, z = angle
     a00, a01, a02 = 1.0 - versine * (y * y + z * z), versine * x * y - sine * z, 0.0
@@ -62,8 +62,7 @@ def held_inverse(inertia: Vector, hold: Vector, out: Vector) -> None:
     """Fill out (3, 3) with the inverse of the inertia in the free directions, zero in the others.
 
     hold: (3, 3) projector on the free directions. The projected inertia plus its trace times the
-    projector on the locked directions is inverted, and the inverse of the latter is subtracted. The
-    result is projected once more, so that no rounding is left where a spin is locked.
+    projector on the locked directions is inverted, and the inverse is projected.
     """
     trace = inertia[0, 0] + inertia[1, 1] + inertia[2, 2]
     a = zero_squares(1)[0]
@@ -80,8 +79,7 @@ def held_inverse(inertia: Vector, hold: Vector, out: Vector) -> None:
     determinant = a[0, 0] * out[0, 0] + a[0, 1] * out[1, 0] + a[0, 2] * out[2, 0]
     for i in range(3):
         for j in range(3):
-            other = ((1.0 if i == j else 0.0) - hold[i, j]) / trace
-            a[i, j] = out[i, j] / determinant - other
+            a[i, j] = out[i, j] / determinant
     for i in range(3):
         for j in range(3):
             out[i, j] = 0.0

@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 
 from tests.engines.rigid.by_hand.solver.test_band import linked
-from tests.engines.rigid.by_hand.solver.test_joints import scattered
+from tests.engines.rigid.by_hand.solver.test_joints import scattered, spd
 from tests.engines.rigid.by_hand.solver.test_sweeps import rubbing
+from vv.engines.blocks.contacts import Contacts
 from vv.engines.rigid.general.converge import polish
 from vv.engines.rigid.limits import STIFF
+from vv.engines.rigid.solver.assembly import Bodies, assemble
 from vv.engines.rigid.solver.cone import residual
 from vv.engines.rigid.solver.newton import newton_round
 from vv.engines.rigid.solver.rounds import newton_rounds
@@ -34,6 +36,7 @@ def test_a_run_is_of_one_pair_of_bodies_and_not_too_long() -> None:
     assert [x.tolist() for x in runs(joints)] == [[-1] * len(pairs), []]
     joints.across[-1] = 1e-9
     assert runs(joints)[1].tolist() == [len(pairs) - 1]
+    assert [x.tolist() for x in runs(linked([], 3)[0])] == [[], []]
 
 
 def test_the_longest_runs_sit_first_and_share_no_moving_body() -> None:
@@ -112,3 +115,25 @@ def test_a_round_says_whether_it_converged() -> None:
     given = (p, q, joints, bodies, friction, v, w)
     assert newton_round(*given, 1e-9, 100.0, np.arange(3))
     assert not newton_round(*given, 0.0, 100.0, np.arange(3))
+
+
+def test_a_round_solves_a_chain_of_blocks() -> None:
+    """Five blocks in a row on a wall, whose equations are more than two bands wide."""
+    blocks, random = 5, np.random.default_rng(3)
+    inverse, spins = spd(random, blocks + 1), spd(random, blocks + 1)
+    inverse[blocks] = spins[blocks] = 0.0
+    bodies = Bodies(inverse, spins, random.normal(size=(blocks + 1, 3)))
+    ends, normal = np.arange(blocks), random.normal(size=(blocks, 3))
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    empty, key = np.zeros(blocks), ends + 0
+    found = Contacts(
+        np.roll(ends, 1), ends, random.normal(size=(blocks, 3)), normal, empty, empty, key
+    )
+    found.first[0] = blocks
+    joints = assemble(found, blocks, bodies)
+    v, w = random.normal(size=(2, blocks + 1, 3))
+    p, friction = np.zeros((blocks, 3)), rubbing(3, slides=False)
+    left = newton_rounds(p, joints, bodies, friction, v, w, 1e-10, ends)
+    assert residual(p, joints, friction, v, w) == pytest.approx(left, abs=1e-14)
+    assert left <= 1e-10
+    assert (p != 0.0).any(1).sum() >= 3
