@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Callable
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 from reference_solutions.bonds import unlike_row
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction
 from vv.case import (
+    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -59,6 +61,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     goal = History(p["duration"], p["duration"] / 60)
     if variant == "slowed":
         return _slowed(p, goal)
+    if variant != "hung" and p["stretch"]:
+        raise ValueError(f"stretch = {p['stretch']!r} m; in the variant '{variant}' it must be 0")
     if p["eta"]:
         raise ValueError(f"eta = {p['eta']!r} N s/m; only the variant 'slowed' has drag")
     return _spinning(p, goal) if variant == "spinning" else _along(p, goal, variant == "hung")
@@ -73,28 +77,23 @@ def _along(p: Parameters, goal: History, held: bool) -> Trial:
         free[0], thrown[0] = [False, True, False], 0.0
     scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
     assert scene.bonds is not None
-    exact = remembered(
-        functools.partial(
-            unlike_row.along, row=row, length=scene.bonds.length, v=thrown, g=p["g"], held=held
-        )
+    law: dict[str, Any] = {"row": row, "length": scene.bonds.length, "g": p["g"]}
+    move: Callable[..., tuple[Vector, Vector]] = functools.partial(
+        unlike_row.along, held=held, **law
     )
 
-    def path(body: int) -> Callable[[Vector], Vector]:
-        return lambda t: exact(t)[0][:, body, None]
+    def histories(t: Vector, v: Vector) -> Vector:
+        return np.column_stack(move(t, v=v))  # displacements of all spheres, then the reaction
 
-    judge, times = _judge(p, 0.0), goal.times(None)
-    moving = range(int(held), 3)
-    quantities: list[Quantity] = [
-        Motion(Displacement(body), X[None], path(body), times, "m").component(
-            0, f"x{body}", f"displacement of the sphere {body} along the row", judge
-        )
-        for body in moving
-    ]
+    exact, times = remembered(functools.partial(histories, v=thrown)), goal.times(None)
+    late = [histories(times, _behind(thrown, free @ X, p, **law))]
+    judges, moving = _judges(p, row, exact, late, times), range(int(held), 3)
+    quantities = _displacements(exact, judges, moving, times)
     seen: tuple[Observable, ...] = (*map(Displacement, moving), *([Reaction(0)] * held))
     if held:
         quantities.append(Series(
             "R", "R", "N", "force that holds the first sphere against its bonds and its weight",
-            lambda run: run.values[Reaction(0)] @ X, lambda t: exact(t)[1], judge,
+            lambda run: run.values[Reaction(0)] @ X, lambda t: exact(t)[:, 3], judges[3],
         ))  # fmt: skip
     return Trial(Ladder(scene, goal, seen, _levels(p)), tuple(quantities))
 
@@ -103,27 +102,72 @@ def _slowed(p: Parameters, goal: History) -> Trial:
     """The row of three spheres, slowed by drag along the row."""
     if p["g"]:
         raise ValueError(f"g = {p['g']!r} m/s2; the variant 'slowed' has no gravity")
+    most = 2 * p["m"] / (COARSEST * _unit(p))
+    if not p["eta"] < most:
+        raise ValueError(
+            f"eta = {p['eta']!r} N s/m; it must be below {most:.6g} N s/m, from which on drag of "
+            "half a step ago is unstable at the coarsest step"
+        )
     row, thrown = _row(p, TRIANGLE), p["v"] * THROWN
     free = np.outer(np.ones(3, bool), X > 0)
     scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
     assert scene.bonds is not None
-    exact = remembered(
-        functools.partial(
-            unlike_row.slowed, row=row, length=scene.bonds.length, v=thrown, eta=p["eta"]
-        )
-    )
+    law: dict[str, Any] = {"length": scene.bonds.length, "eta": p["eta"]}
+    move: Callable[..., Vector] = functools.partial(unlike_row.slowed, **law)
+    exact, times = remembered(functools.partial(move, row=row, v=thrown)), goal.times(None)
+    lighter = dataclasses.replace(row, m=row.m - p["eta"] * COARSEST * _unit(p) / 2)
+    late = [
+        move(times, row=lighter, v=thrown),  # -eta (v - a dt/2) is drag on a mass m - eta dt/2
+        move(times, row=row, v=_behind(thrown, free @ X, p, row=row, **law)),
+    ]
+    quantities = _displacements(exact, _judges(p, row, exact, late, times), range(3), times)
+    seen = tuple(map(Displacement, range(3)))
+    return Trial(Ladder(scene, goal, seen, _levels(p)), tuple(quantities))
+
+
+def _displacements(
+    exact: Callable[[Vector], Vector], judges: list[Exact], moving: range, times: Vector
+) -> list[Quantity]:
+    """The displacements of spheres along the row."""
 
     def path(body: int) -> Callable[[Vector], Vector]:
         return lambda t: exact(t)[:, body, None]
 
-    judge, times, moving = _judge(p, 0.0), goal.times(None), range(3)
-    quantities = tuple(
+    return [
         Motion(Displacement(body), X[None], path(body), times, "m").component(
-            0, f"x{body}", f"displacement of the sphere {body} along the row", judge
+            0, f"x{body}", f"displacement of the sphere {body} along the row", judges[body]
         )
         for body in moving
-    )
-    return Trial(Ladder(scene, goal, tuple(map(Displacement, moving)), _levels(p)), quantities)
+    ]
+
+
+def _behind(v: Vector, free: Vector, p: Parameters, **law: Any) -> Vector:
+    """The velocities (N,) at t = 0 of a scheme that starts half the coarsest step late."""
+    late = free * unlike_row.accelerations(v=v, **law) * COARSEST * _unit(p) / 2
+    return np.asarray(v - late)
+
+
+def _judges(
+    p: Parameters,
+    row: unlike_row.Row,
+    exact: Callable[[Vector], Vector],
+    late: list[Vector],
+    times: Vector,
+) -> list[Exact]:
+    """The judge of each column of the histories (k, q) that `exact` gives at times.
+
+    late: the histories (k, q) of bodies on which forces act half the coarsest step late.
+    """
+    dt, known = COARSEST * _unit(p), exact(times)
+    square = (unlike_row.highest_frequency(row) * dt) ** 2
+    ahead, size = exact(times * (1 + square / 24)), np.abs(known).max(axis=0)
+
+    def off(*others: Vector) -> Vector:
+        total = sum((np.abs(one - known).max(axis=0) for one in others), start=square / 8 * size)
+        over = np.divide(total, size, out=np.zeros_like(size), where=size > 0)
+        return np.asarray(SPARE * over)
+
+    return [_judge(dt, *both) for both in zip(off(ahead), off(ahead, *late), strict=True)]
 
 
 def _spinning(p: Parameters, goal: History) -> Trial:
@@ -140,8 +184,11 @@ def _spinning(p: Parameters, goal: History) -> Trial:
     def path(body: int) -> Callable[[Vector], Vector]:
         return lambda t: exact(t)[:, body]
 
-    turned = (spin[row.bonds].mean(axis=1) ** 2).max() * p["duration"] / 2
-    judge, times = _judge(p, float(turned)), goal.times(None)
+    dt, turned = COARSEST * _unit(p), (spin[row.bonds].mean(axis=1) ** 2).max() * p["duration"] / 2
+    radians = FASTEST * p["duration"] / _unit(p)
+    ahead = SHARE * (FASTEST * COARSEST) ** 2 / 24 * radians
+    judge = _judge(dt, ahead, turned=float(turned))
+    times = goal.times(None)
     quantities = tuple(
         Motion(Displacement(body), ACROSS, path(body), times, "m").component(
             k, f"{'yz'[k]}{body}", f"displacement of the sphere {body} along {'yz'[k]}", judge
@@ -162,26 +209,40 @@ def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
     return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
 
 
-def _judge(p: Parameters, turned: float) -> Exact:
-    """turned: relative growth of shears that a step rotates to first order, over the step [1/s]."""
-    coarsest = COARSEST * _unit(p)
-    second = Tolerance(8e-3, AHEAD + TURNED, dt=coarsest, order=2, floor=1e-7, late=turned)
-    late = Tolerance(3e-2, "weight or drag that acts half a step late shifts the phase of "
-                     "oscillations by w dt/2", dt=coarsest, order=1)  # fmt: skip
+def _judge(dt: float, ahead: float, late: float = 0.0, turned: float = 0.0) -> Exact:
+    """ahead, late: errors at the coarsest step dt by the leapfrog's phase, and by late forces.
+
+    turned: relative growth of shears that a step rotates to first order, over the step [1/s].
+    """
     exact = Tolerance(1e-11, "the answer is a sum of modes without events, known to rounding")
+    least, most = LEAST, LARGEST_TOLERANCE
+    second = Tolerance(
+        min(max(ahead, least), most), AHEAD + TURNED,
+        dt=dt, order=2, floor=least, late=turned,
+    )  # fmt: skip
+    behind = Tolerance(min(max(late, least), most), LATE, dt=dt, order=1)
     return Exact({
         Method.EXACT: exact,
         Method.LINEARISED: exact,
         Method.LEAPFROG: second,
-        Method.LATE_LEAPFROG: late if p["g"] or p["eta"] else second,
+        Method.LATE_LEAPFROG: behind if late > ahead else second,
     }, not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS))  # fmt: skip
 
 
+# across the row: frequency of the fastest oscillation times the unit of time, and its share
+FASTEST, SHARE = 2.0, 1 / 3
+LEAST, SPARE = 1e-7, 1.2
 COARSEST = 0.05  # of the time that `_unit` returns
 OTHERS = "the bound is that of the phase of a leapfrog"
 AHEAD = (
-    "the phase of a leapfrog is ahead by (w dt)^2/24 of some 60 radians in the fastest mode, which "
-    "is a third of the oscillation"
+    "a leapfrog is ahead of each mode by up to (w dt)^2/24 of the time, w of the fastest mode, "
+    "which changes the answer by that much, and a velocity at the start causes an amplitude that "
+    "is larger by (w dt)^2/8; terms of higher order add less than a fifth"
+)
+LATE = (
+    "weight or drag that acts half a step late is a start with a dt/2 less velocity, and masses "
+    "smaller by eta dt/2, which change the answer by that much; the phase of a leapfrog is added, "
+    "and less than a fifth for higher orders"
 )
 TURNED = (
     "; some codes rotate the shear with the twist W of its bond to first order, by which it grows "

@@ -86,8 +86,21 @@ def _dropped(bounces: int, p: Parameters) -> Setting:
     return Setting(
         Scene((sphere, Wall(FLOOR_LEVEL, Z)), contact, gravity=-p["g"] * Z), (height,),
         last.since + last.speed / p["g"], math.sqrt(m / p["kn"]), (0.08, 0.04, 0.02, 0.005, 0.001),
-        0.5 * bounces, 0.1 * (1 + bounces),
+        _delay(bounces, p["g"] / math.sqrt(2 * p["g"] * fall * p["kn"] / m)), 0.1 * (1 + bounces),
     )  # fmt: skip
+
+
+def _delay(bounces: int, slow: float) -> float:
+    """The error of the height of a leapfrog over the fall and (w dt)^2; slow: g/(w v).
+
+    As a contact begins or ends at a fraction q of a step, the square of the speed v changes by
+    q (1 - q) (w v dt)^2: each bounce changes the speed by up to (w dt)^2/8 of it, and the duration
+    of each flight after it, 4 falls over v, as much. The heights of the last flight err by up to
+    the sum of all flights before it, or by twice the sum of all changes of speed. A contact of the
+    duration (pi + 2 atan(g/(w v)))/w is ahead by (w dt)^2/24 of that.
+    """
+    flights, speeds = bounces * (bounces - 1) / 4, bounces / 4
+    return max(flights, speeds) + bounces * slow * (math.pi + 2 * math.atan(slow)) / 12
 
 
 def _pressed_pair(p: Parameters) -> Setting:
@@ -208,8 +221,9 @@ def _judge(setting: Setting) -> Exact:
                                        "earlier ones"),
         Method.SECOND_ORDER: Tolerance(
             setting.square * step**2,
-            "an error of (w dt)^2/24 of the phase of each oscillation, and of (w dt)^2/12 where a "
-            "contact begins and ends, which shifts all that follows", dt=step * unit, order=2,
+            "an error of (w dt)^2/24 of the phase of each oscillation, and of up to (w dt)^2/8 of "
+            "the speed in each contact that begins and ends within a step, which shifts all that "
+            "follows", dt=step * unit, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
             setting.late * step,

@@ -70,6 +70,17 @@ def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
     return np.asarray((expm(rate * times[:, None, None]) @ start)[:, :n])
 
 
+def accelerations(row: Row, *, length: Array, v: Array, g: float = 0.0, eta: float = 0.0) -> Array:
+    """The accelerations (N,) [m/s2] along the row at t = 0; arguments as those of both motions."""
+    return np.asarray(g + (_springs(row, length)[1] - eta * v) / row.m)
+
+
+def highest_frequency(row: Row) -> float:
+    """The angular frequency [1/s] of the fastest oscillation along the row of free spheres."""
+    stiffness, root = _springs(row, np.zeros(len(row.kn)))[0], np.sqrt(row.m)
+    return float(np.sqrt(np.linalg.eigvalsh(stiffness / np.outer(root, root)).max()))
+
+
 def _springs(row: Row, length: Array) -> tuple[Array, Array]:
     """The stiffness (N, N) [N/m] along the row, and the forces (N,) [N] of bonds at t = 0."""
     i, j = row.bonds.T

@@ -32,6 +32,10 @@ RIGHT = {
     "oblique-impact:spun-alloy young=6.71e10 poisson=0.337 rho=2530 R=0.139 mu=0.526 v=0.231 "
     "e=0.721": "dem/published",
     "oblique-impact:spun-alloy mu=1.2 e=0.9": "dem/published",
+    "mfix:dem02-1 kn=7.52e4": "dem/default",
+    "unlike-bonds:slowed kn=1.93e4 v=0.054 stretch=0.00165": "dem/published",
+    "unlike-bonds:slowed eta=60": "dem/published",
+    "unlike-bonds:hung kn=1.93e4 v=0.054 stretch=0.00165": "dem/default",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
         "dem/default"
     ),

@@ -89,6 +89,20 @@ def slowed_agrees(one: ModuleType) -> bool:
     return bool(np.abs(found - due).max() < 1e-10 * np.abs(due).max())
 
 
+def starts_agree(one: ModuleType) -> bool:
+    """Whether the accelerations at t = 0 are those with which both motions begin."""
+    row, t, law = one.Row(**vars(ROW)), np.array([0.0, 1e-6]), {"length": LONGER, "v": THROWN}
+    pulled = closed.along(t, ROW, g=9.81, held=False, **law)[0][1]
+    slowed = closed.slowed(t, ROW, eta=20.0, **law)[1]
+    given = one.accelerations(row, g=9.81, **law), one.accelerations(row, eta=20.0, **law)
+    found = [2 * (u - THROWN * t[1]) / t[1] ** 2 for u in (pulled, slowed)]
+    return all(np.allclose(*both, rtol=1e-3, atol=1e-2) for both in zip(found, given, strict=True))
+
+
+def test_a_row_starts_with_the_accelerations_that_its_motions_have() -> None:
+    assert starts_agree(closed)
+
+
 def test_drag_slows_unlike_spheres_of_a_row() -> None:
     assert slowed_agrees(closed)
 
@@ -106,6 +120,7 @@ def test_any_wrong_sign_in_the_formulas_is_caught(sign: int) -> None:
             and across_agrees(other)
             and held_agrees(other)
             and slowed_agrees(other)
+            and starts_agree(other)
         )
     )
 
@@ -113,3 +128,8 @@ def test_any_wrong_sign_in_the_formulas_is_caught(sign: int) -> None:
 def test_a_mass_that_is_not_positive_is_refused() -> None:
     with pytest.raises(ValueError, match="m = -1"):
         dataclasses.replace(ROW, m=np.array([1.0, 1.0, -1.0, 1.0]))
+
+
+def test_the_fastest_oscillation_of_a_pair_is_that_of_its_reduced_mass() -> None:
+    pair = closed.Row(np.array([2.0, 3.0]), np.array([0.0, 1.0]), np.array([[1, 0]]), np.ones(1))
+    assert closed.highest_frequency(pair) == pytest.approx((1 / 2 + 1 / 3) ** 0.5, rel=1e-14)
