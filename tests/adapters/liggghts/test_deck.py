@@ -38,6 +38,18 @@ def test_a_deck_holds_the_scene_to_the_last_bit(
     assert [float(s[f"v{a}"]) for s in speeds for a in "xyz"] == [*place] * any(place)
 
 
+def test_a_sphere_has_its_own_velocity_and_spin_behind_spheres_at_rest() -> None:
+    places = [[0.0, 0.1, 0.0]], [[1.0, 0.1, 0.0]], [[2.0, 0.1, 0.0]]
+    moving = ball(position=places[1], velocity=[[0.5, 0.0, -2.0]])
+    spinning = ball(position=places[2], spin=[[3.0, 4.0, 5.0]])
+    text = deck_of(ball_ask(ball(position=places[0]), moving, spinning), PLAIN)
+    started = [line for line in words(text, "set", "atom") if "diameter" not in line]
+    assert started == [
+        ["2", "vx", "0.5", "vy", "0.0", "vz", "-2.0"],
+        ["3", "omegax", "3.0", "omegay", "4.0", "omegaz", "5.0"],
+    ]
+
+
 def test_kn_and_ks_are_the_springs_and_nothing_is_damped() -> None:
     text = deck_of(case_ask("T3"), PLAIN)
     given = {line[0]: float(line[-1]) for line in words(text, "fix") if "property/global" in line}
