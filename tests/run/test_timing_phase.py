@@ -1,5 +1,6 @@
 """A timing session keeps the cheapest round of each solve, and only where it timed them all."""
 
+import dataclasses
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from vv.plan.planning import make_plan
 from vv.plan.project import Project
 from vv.records.job_record import JobCost, Record
 from vv.records.manifest import Machine
+from vv.run import timing_phase
 from vv.run.process import Batch
 from vv.run.rounds import Timed
 from vv.run.timing_phase import timed_costs
@@ -24,8 +26,8 @@ HERE = Machine("P", 2, "S", "f00")
 class Rounds:
     """An executor that times as it is told; asked: how many sessions there were."""
 
-    def __init__(self, told: Sequence[Timed]) -> None:
-        self.told = list(told)
+    def __init__(self, told: Sequence[Timed], machine: Machine = HERE) -> None:
+        self.told, self.machine = list(told), machine
         self.asked = 0
         self.batches: Sequence[Batch] = ()
 
@@ -36,7 +38,7 @@ class Rounds:
         raise NotImplementedError
 
     def timer(self) -> Machine:
-        return HERE
+        return self.machine
 
     def timed(self, batches: Sequence[Batch], timeout: float) -> list[Timed]:
         self.asked += 1
@@ -100,3 +102,18 @@ def test_a_session_answers_again_only_if_it_timed_all(
     assert set(costs(plan, store, place, told)) == set(timed)
     assert place.asked == sessions
     assert told == [len(numbers(plan))] * sessions  # who waits is told for how many settings
+
+
+def test_a_session_of_another_machine_or_timed_otherwise_is_not_taken_for_this(
+    plan: Plan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store, told = Store(tmp_path), [(n, Cost(solve_cpu=1.0), 1.0) for n in numbers(plan)]
+    here = Rounds(told)
+    there = Rounds(told, dataclasses.replace(HERE, fingerprint="b0b"))
+    for place in (here, there, here, there):
+        costs(plan, store, place)
+    assert (here.asked, there.asked) == (1, 1)
+    for asked, (name, value) in enumerate((("REPEAT", 0.5), ("ENOUGH", 7), ("DRIFT", 1.3)), 2):
+        monkeypatch.setattr(timing_phase, name, value)
+        costs(plan, store, here)
+        assert here.asked == asked

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from tests.support.acceptances import ran
-from tests.support.fabricated import changed
+from tests.support.fabricated import changed, manifest
 from vv.records import codec
 from vv.store import array_files, provenance, record_list
 from vv.store.manifests import DAY
@@ -78,6 +78,31 @@ def test_scratch_goes_after_a_week(tmp_path: Path) -> None:
         os.utime(folder, (then, then))
     store.clear_scratch()
     assert (young.exists(), old.exists()) == (True, False)
+
+
+def test_the_last_timing_session_is_that_which_was_written_last(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    assert store.last_session() == ""
+    for second, name in enumerate(("bb", "cc", "aa")):
+        store.keep_timings(name, {})
+        os.utime(tmp_path / "timings" / name / f"{name}.json", (0, second))
+        assert store.last_session() == name
+
+
+def test_of_many_past_runs_the_newest_are_read_newest_first(tmp_path: Path) -> None:
+    past, told = Store(tmp_path).manifests, list[str]()
+    for day in ("03", "01", "04", "02"):
+        past.keep(manifest(ran(), name=f"202501{day}"))
+
+    def newest(most: int) -> list[str]:
+        return [one.name for one in past.newest(most, told.append)]
+
+    assert newest(2) == ["20250104", "20250103"]
+    assert newest(9) == ["20250104", "20250103", "20250102", "20250101"]
+    assert told == []
+    past.file("20250104").write_text("{")
+    assert newest(2) == ["20250103"]  # the damaged one is told of, and counts
+    assert ["20250104" in text for text in told] == [True]
 
 
 @pytest.mark.parametrize(("ahead", "known"), [(0.9, True), (1.1, False)])

@@ -34,4 +34,7 @@ BUGS = (
     Bug("an infinite number read", CODEC, "if not -LARGEST <= data <= LARGEST:", "if data != data:", tests="tests/records"),
     Bug("a truth read as a number", CODEC, "if type(data) is not int:", "if not isinstance(data, int):", tests="tests/records"),
     Bug("a search's key without its source", KEYS, "prints[job.code], how)", "prints[job.code])", tests=KEYED),
+    Bug("the newest past runs are the oldest", MANIFESTS, "self.names()[-most:]", "self.names()[:most]", tests="tests/store/test_parts.py"),
+    Bug("the last timing session by its name", STORE, "sorted(found, key=lambda path: path.lstat().st_mtime_ns)", "sorted(found)", tests="tests/store/test_parts.py"),
+    Bug("a timing session of any machine", "vv/run/timing_phase.py", "place.timer().fingerprint, REPEAT", "REPEAT", tests="tests/run/test_timing_phase.py"),
 )  # fmt: skip
