@@ -80,6 +80,19 @@ def test_scratch_goes_after_a_week(tmp_path: Path) -> None:
     assert (young.exists(), old.exists()) == (True, False)
 
 
+def test_the_state_of_the_store_shows_a_change_that_keeps_size_and_time(tmp_path: Path) -> None:
+    store, file = Store(tmp_path), tmp_path / "records" / "aa" / "one.json"
+    file.parent.mkdir(parents=True)
+    states = []
+    for text in ("1", "2"):
+        file.write_text(text)
+        os.utime(file, (0, 0))  # the time of its content can be set back, that of its inode not
+        states.append(store.state())
+        assert store.state() == states[-1]
+        time.sleep(0.02)
+    assert states[0] != states[1]
+
+
 def test_the_last_timing_session_is_that_which_was_written_last(tmp_path: Path) -> None:
     store = Store(tmp_path)
     assert store.last_session() == ""

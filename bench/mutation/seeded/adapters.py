@@ -44,5 +44,5 @@ BUGS = (
     Bug("answers turned the wrong way", "adapters/yade/answers.py", "values @ setup.frame, strict", "values @ setup.frame.T, strict", tests="tests/adapters/yade/test_answers.py"),
     Bug("velocities begin at nil", "adapters/liggghts/answers.py", "np.zeros(3) if isinstance(o, Displacement) else speeds[i]", "np.zeros(3)", tests="tests/adapters/liggghts/test_answers.py"),
     Bug("spins of the first that are listed", "adapters/liggghts/atoms.py", "for row, vector in zip(given.tolist(), rows[given].tolist(), strict=True):", "for row, vector in enumerate(rows[given].tolist()):", tests="tests/adapters/liggghts/test_deck.py"),
-    Bug("a program told that blocks turn where they move", "vv/codes/program/question.py", '"free_spin": block.free_spin', '"free_spin": block.free', tests="tests/codes/test_question_by_hand.py"),
+    Bug("a program told that blocks turn where they move", "vv/codes/program/question.py", '"free_spin": block.free_spin', '"free_spin": block.free', tests="tests/codes/program/test_question.py"),
 )  # fmt: skip

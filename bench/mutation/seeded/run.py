@@ -39,4 +39,5 @@ BUGS = (
     Bug("a budget for what needs it least", NARROWING, "-_closeness_to_tolerance(job, known), costs", "_closeness_to_tolerance(job, known), costs", tests="tests/run/test_narrowing.py"),
     Bug("other versions of libraries affect nothing", NARROWING, 'EVERYTHING = ("pyproject.toml", "requirements.lock")', 'EVERYTHING = ("pyproject.toml",)', tests="tests/run/test_narrowing.py"),
     Bug("the longest jobs shared out last", "vv/run/pace.py", "key=lambda place: -seconds[place]", "key=lambda place: seconds[place]", tests="tests/run/test_batching.py"),
+    Bug("of several patterns for a case the last counts", "vv/plan/selection.py", "wanted.setdefault(name, set()).update(variants)", "wanted[name] = set(variants)", tests="tests/plan/test_selection.py"),
 )  # fmt: skip
