@@ -81,7 +81,8 @@ def test_a_judge_beside_a_number_of_others_says_whether_and_how_far_it_may_be_of
 def test_a_tolerance_is_told_with_all_that_it_scales_by(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    whole = Tolerance(2e-3, "of the step", dt=1e-3, order=2, kn=1e9, softness=0.5, late=3.0)
+    whole = Tolerance(2e-3, "of the step", dt=1e-3, order=2, floor=4e-5, kn=1e9, softness=0.5,
+                      late=3.0)  # fmt: skip
     judge = Exact(
         {Method.SECOND_ORDER: whole, Method.FIRST_ORDER: Tolerance(1e-2, "of all")},
         Norm.FINAL,
@@ -90,7 +91,7 @@ def test_a_tolerance_is_told_with_all_that_it_scales_by(
     assert told(capsys, judge) == [
         f"norm: {Norm.FINAL.value}",
         f"{Method.SECOND_ORDER.value}: 0.002 at dt = 0.001 s, as dt^2 at kn = 1e+09 N/m, as "
-        "kn^-0.5, and 3 1/s times dt: of the step",
+        "kn^-0.5, and 3 1/s times dt, at least 4e-05: of the step",
         f"{Method.FIRST_ORDER.value}: 0.01: of all",
         f"{Method.PENALTY.value}: shown: too soft",
     ]

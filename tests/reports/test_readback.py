@@ -17,11 +17,18 @@ from reports import html
 from reports.text import NONE
 from tests.support.fabricated import case, changed, cost, entry, manifest, record
 from tests.support.read_back import Node, curves, page, section, table
+from vv.records.case_facts import ToleranceFacts
 from vv.records.job_record import Record, summary_of
 from vv.records.manifest import CodeFound, Manifest
 from vv.store.store import Store
 
 STEPS = (4e-3, 2e-3, 1e-3)  # s
+BOUNDS = {  # of classes that no scheme here has
+    "all at once": ToleranceFacts(2e-2, "all", 5e-3, 1, 3e-4, "", 7e8, 0.5, 6.0),
+    "late alone": ToleranceFacts(3e-2, "late", late=8.0),
+    "stiffness alone": ToleranceFacts(4e-2, "soft", kn=9e7, softness=1.5),
+    "the same at all": ToleranceFacts(5e-2, "fixed"),
+}
 Table = dict[str, dict[str, tuple[float | None, ...]]]
 ERRORS: Table = {  # the largest error at each of STEPS, variant by variant
     "T1": {
@@ -97,7 +104,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Node]:
     (quantity,) = facts.variants["T1"].quantities
     (bound,) = (quantity.tolerances or {}).values()
     stated = changed(bound, dt=2e-3)
-    own = changed(quantity, tolerances={"second order in dt": stated})
+    own = changed(quantity, tolerances={"second order in dt": stated, **BOUNDS})
     variants = {name: changed(one, quantities=[own]) for name, one in facts.variants.items()}
     whole: Manifest = manifest(
         *runs, codes=codes, cases={"bounce": dataclasses.replace(facts, variants=variants)}
@@ -174,6 +181,17 @@ def test_the_recommended_setting_is_the_cheapest_that_is_as_accurate(
         ],
         "1e-3": ["liggghts/default dt = 4e-3 s: 500 µs; dem/default dt = 1e-3 s: 50 ms"],
     }
+
+
+def test_a_tolerance_stands_with_all_by_which_it_changes(pages: dict[str, Node]) -> None:
+    rows = [r.text.replace("\N{MINUS SIGN}", "-") for r in pages["case-bounce.html"].every("tr")]
+    assert [row for row in rows if row.startswith(tuple(BOUNDS))] == [
+        "all at once 0.02 at dt = 5e-3 s at kn = 7e8 N/m dt 1 kn -0.5 , plus 6 /s times dt, "
+        "at least 3e-4 all",
+        "late alone 0.03 fixed, plus 8 /s times dt late",
+        "stiffness alone 0.04 at kn = 9e7 N/m kn -1.5 soft",
+        "the same at all 0.05 fixed fixed",
+    ]
 
 
 def test_the_source_is_compared_at_its_own_step(pages: dict[str, Node]) -> None:

@@ -97,6 +97,8 @@ def _explain_quantity(quantity: Quantity) -> None:
             step += f" at kn = {tolerance.kn:g} N/m, as kn^-{tolerance.softness:g}"
         if tolerance.late:
             step += f", and {tolerance.late:g} 1/s times dt"
+        if step and tolerance.floor:
+            step += f", at least {tolerance.floor:g}"
         say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
     for method, reason in judge.not_judged.items():
         say(f"    {method.value}: shown: {reason}")
