@@ -49,6 +49,17 @@ def test_the_longest_runs_sit_first_and_share_no_moving_body() -> None:
     assert depth.tolist() == [3, 2, 1]
 
 
+@pytest.mark.parametrize("first", [True, False])
+def test_a_body_in_many_runs_sits_in_a_batch_of_each(first: bool) -> None:
+    """A body with four others, whose runs follow each other; two more fit beside the first."""
+    pairs = np.array([(1, 0), (1, 2), (1, 3), (1, 4), (5, 6)])
+    joints, bodies = linked(pairs if first else pairs[:, ::-1], 7)
+    joints.across[:] = 1.0
+    seat, depth = seated(joints, bodies, *runs(joints))
+    assert seat.tolist() == [0, LANES, 2 * LANES, 3 * LANES, 1]
+    assert depth.tolist() == [1] * 4
+
+
 def test_a_batch_that_is_full_is_followed_by_another() -> None:
     """Of 2 LANES + 3 blocks on a wall; a pair of the first two fits beside the others."""
     many = 2 * LANES + 3
