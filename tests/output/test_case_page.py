@@ -7,8 +7,10 @@ from typing import Any
 
 import pytest
 
-from vv.output.gallery.case_page import CasePage
+from vv.output.gallery.case_page import CasePage, _judged
 from vv.output.gallery.numbers_page import numbers_page
+from vv.records.case_facts import QuantityFacts, ToleranceFacts
+from vv.records.outcomes import JudgeKind
 
 RUNS = "[dem](../codes/dem.md) (default)"
 
@@ -54,3 +56,26 @@ def test_variants_after_the_first_show_the_numbers_in_which_they_differ_from_it(
     assert blocks[1] == "g: 9.81\nmu: 0.5\n"
     assert "`T2`:" in blocks[2]
     assert blocks[3].splitlines() == ["m: 2", "mu: none"]
+
+
+def test_a_quantity_is_told_with_its_error_and_a_tolerance_for_each_class_of_method() -> None:
+    told = {
+        "first order": ToleranceFacts(2e-3, "lags", dt=1e-3, order=1),
+        "penalty": ToleranceFacts(0.01, "sinks", kn=1e8, softness=0.5),
+        "exact": ToleranceFacts(1e-9, "rounding"),
+    }
+    one = QuantityFacts(
+        "x", "x", "m", "way | along", JudgeKind.EXACT, "largest", told, {"lagging": "it sinks"}
+    )
+    assert [line for line in _judged(one) if line] == [
+        "**x** [m]: way \\| along.",
+        "Error: largest.",
+        "| class of method | tolerance | why |",
+        "|---|---|---|",
+        "| first order | 0.002 at dt = 0.001 s, as dt^1 | lags |",
+        "| penalty | 0.01, at kn = 1e+08 N/m, as kn^-0.5 | sinks |",
+        "| exact | 1e-09 | rounding |",
+        "| lagging | shown only | it sinks |",
+    ]
+    free = QuantityFacts("n", "n", "", "turns", JudgeKind.SHOWN, reason="nothing is known")
+    assert [*_judged(free)] == ["", "**n**: turns.", "Shown: nothing is known."]

@@ -138,9 +138,10 @@ def parse(path: Path, ask: Ask, model: Model, frame: Vector, started: float) -> 
 @functools.cache
 def _alone(text: str) -> str:
     """A driver without its import of the shared part, which precedes it in the script."""
-    lines = text.splitlines(keepends=True)
-    for node in ast.parse(text).body:
-        if isinstance(node, ast.ImportFrom) and node.module == driver_protocol.__name__:
-            last = node.end_lineno or node.lineno
-            lines[node.lineno - 1 : last] = [""] * (last - node.lineno + 1)
-    return "".join(lines)
+    shared = [
+        range(node.lineno, (node.end_lineno or node.lineno) + 1)
+        for node in ast.parse(text).body
+        if isinstance(node, ast.ImportFrom) and node.module == driver_protocol.__name__
+    ]
+    lines = enumerate(text.splitlines(keepends=True), 1)
+    return "".join(line for at, line in lines if not any(at in one for one in shared))

@@ -78,6 +78,15 @@ def test_a_name_is_led_to_from_an_end_farther_than_four_pixels(end: float, leads
         assert numbers(lines[0]) == near(x_of(end) + 4, y, 361, y)
 
 
+@pytest.mark.parametrize(("letters", "narrow"), [(19, False), (20, True)])
+def test_a_name_of_more_than_nineteen_letters_is_set_narrower(letters: int, narrow: bool) -> None:
+    label = "x" * letters
+    named = curve(Mark(label, 0, (), ""), [0.0, 4.0], [0.0, 5.0])
+    every = read(draw(dataclasses.replace(LINEAR, curves=(named,)))).every("text")
+    (name,) = (one for one in every if one.text == label and "x" not in one.named)
+    assert name.named.get("textlength") == ("104" if narrow else None)
+
+
 def test_names_of_ends_that_meet_stand_apart_in_the_order_of_the_ends() -> None:
     ends = {"p": 5.0, "q": 5.0, "r": 4.9, "s": 5.2}
     more = (curve(Mark(name, 0, (), ""), [0.0, 4.0], [0.0, end]) for name, end in ends.items())
