@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import Tiny
-from tests.support.fabricated import entry, record
+from tests.support.fabricated import changed, entry, record
 from vv.insight.diagnosis import Diagnosis, Pattern, diagnose
 from vv.records.job_record import Record
 
@@ -47,6 +47,16 @@ def test_first_order_where_second_is_claimed_is_named_with_the_order_seen() -> N
 
 def test_second_order_outside_the_tolerance_is_no_matter_of_order() -> None:
     assert list(diagnose([rung(dt, 20 * dt**2) for dt in STEPS], TERMS)) == []
+
+
+def test_a_pattern_is_sought_at_the_stiffest_springs() -> None:
+    def at(kn: float, errors: list[float]) -> list[Record]:
+        rungs = [rung(dt, error) for dt, error in zip(STEPS, errors, strict=True)]
+        return [changed(one, rung={"dt": one.rung.dt, "kn": kn}) for one in rungs]
+
+    falls, stays = [20 * dt**2 for dt in STEPS], [0.1] * len(STEPS)
+    assert list(diagnose([*at(1e7, falls), *at(1e6, stays)], TERMS)) == []
+    assert only([*at(1e7, stays), *at(1e6, falls)]).pattern is Pattern.STUCK
 
 
 def test_a_class_that_claims_no_order_is_not_held_to_one() -> None:

@@ -90,6 +90,14 @@ def test_a_curve_is_of_what_was_timed_and_has_an_error_by_cost_and_named_at_its_
     assert axes.limits == {"x": (2.0, 30.0), "y": (0.5,)}
 
 
+def test_a_curve_joins_its_points_in_the_order_of_cost(monkeypatch: pytest.MonkeyPatch) -> None:
+    dear = scheme("a/b", (4e-3, None, 16e-4, 3.0), (2e-3, None, 4e-4, 1.0), (1e-3, None, 1e-4, 2.0))
+    axes, _ = drawn(monkeypatch, [dear])
+    ((cpu, error, *_),) = axes.curves
+    assert (cpu, error) == ((1.0, 2.0, 3.0), (4e-4, 1e-4, 16e-4))
+    assert [place for _, place, _ in axes.names] == [(3.0, 16e-4)]
+
+
 def test_a_scheme_without_points_has_no_curve_and_looks_begin_again_after_the_last(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from tests.insight.test_agreement import AGREEING, records_of, written_down
-from tests.support.fabricated import NOWHERE, changed
+from tests.support.fabricated import NOWHERE, changed, entry, manifest, record
 from vv.ask import Method, Run, Status
 from vv.case import (
     CodeToCode,
@@ -51,6 +52,21 @@ def test_results_of_modified_parameters_are_not_shown_beside_tolerances_of_other
     before = explain._last_results(manifests[1:])
     assert explain._last_results(manifests) == before
     assert before
+
+
+def test_of_each_scheme_the_newest_results_are_shown_with_their_day() -> None:
+    def run(day: str, errors: dict[str, float]) -> Manifest:
+        judged = {label: entry("pass", {"max": error}) for label, error in errors.items()}
+        records = [record(label, "T1", 1e-3, quantities=[one]) for label, one in judged.items()]
+        return manifest(*records, provenance=dataclasses.replace(NOWHERE, utc=day))
+
+    found = explain._last_results(
+        [run("day 2", {"a/x": 2e-4}), run("day 1", {"a/x": 1e-4, "b/x": 3e-4})]
+    )
+    assert found == {
+        ("bounce", "T1", "a", "x"): ["day 2", "dt 0.001: pass: y: error 0.0002, allowed 0.001"],
+        ("bounce", "T1", "b", "x"): ["day 1", "dt 0.001: pass: y: error 0.0003, allowed 0.001"],
+    }
 
 
 def told(capsys: pytest.CaptureFixture[str], judge: object) -> list[str]:

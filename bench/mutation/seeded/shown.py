@@ -54,4 +54,9 @@ BUGS = (
     Bug("CPU seconds that are those of the wall in JUnit", "vv/output/junit.py", '"cpu": record.cost.solve_cpu', '"cpu": record.cost.solve_wall', tests="tests/output/test_outputs.py"),
     Bug("the order before told as that after", COMPARE, "_order_changes(orders(one.records), orders(other.records))", "_order_changes(orders(other.records), orders(one.records))", tests="tests/insight/test_compare.py"),
     Bug("the best stiffness at the coarsest step", "reports/drawing/maps.py", "self.error[:, int(np.argmax(columns))]", "self.error[:, -1]", tests="tests/reports/drawing/test_map.py"),
+    Bug("a rank's order fitted over all stiffnesses", RANKING, "own = [r for r in pile if r.rung.kn == pile[-1].rung.kn]", "own = pile", tests="tests/reports/variant/test_variant_decisions.py"),
+    Bug("patterns sought over all stiffnesses", "vv/insight/diagnosis.py", "return [r for r in own if r.rung.kn == own[-1].rung.kn]", "return own", tests="tests/insight/test_diagnosis.py"),
+    Bug("the last results are the oldest", "vv/output/explain.py", "for place, records in own.items()}\n        found = {**newest, **found}", "for place, records in own.items()}\n        found = {**found, **newest}", tests="tests/output/test_explained_agreement.py"),
+    Bug("points of a picture in the order of settings", "vv/output/gallery/error_cost.py", "zip(*sorted(points), strict=True)", "zip(*points, strict=True)", tests="tests/output/test_error_cost.py"),
+    Bug("what a tolerance adds for late events left out", "vv/output/explain.py", "        if tolerance.late:\n", "        if False:\n", tests="tests/output/test_explained_agreement.py"),
 )  # fmt: skip

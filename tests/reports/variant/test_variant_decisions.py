@@ -150,3 +150,17 @@ def test_a_map_of_regions_is_drawn_where_there_is_one_and_something_is_found() -
 )
 def test_a_value_is_within_two_uncertainties_either_way(computed: float, within: bool) -> None:
     assert measurements._within(some(computed=computed, measured=1.0, uncertainty=0.1)) is within
+
+
+def test_a_scheme_is_ranked_with_its_order_and_its_error_at_the_stiffest_springs() -> None:
+    errors = {1e6: (1e-3, 1e-3, 1e-3), 1e7: (16e-5, 4e-5, 1e-5)}  # soft springs cost 1e-3
+    pile = [
+        record("a/a", "T1", dt, rung={"dt": dt, "kn": kn}, quantities=[entry("pass", {"max": e})])
+        for kn, own in errors.items()
+        for dt, e in zip((4e-3, 2e-3, 1e-3), own, strict=True)
+    ]
+    (row,) = ranking.ranked({"a/a": pile}, marks(["a/a"]))
+    assert (row.error, row.setting) == (1e-5, "dt = 0.001 s, kn = 1e+07 N/m")
+    assert row.order is not None
+    assert row.order.points == 3
+    assert row.order.order == pytest.approx(2.0, abs=1e-9)
