@@ -113,6 +113,13 @@ def test_a_failure_is_never_kept(tiny: Tiny) -> None:
     assert len(log.read_text().splitlines()) == 2
 
 
+@pytest.mark.parametrize("status", Status)
+def test_only_a_run_that_reached_its_end_is_stored(status: Status, tmp_path: Path) -> None:
+    store, key = Store(tmp_path), "ab" * 32
+    store.keep_run(key, Run(status, "" if status is Status.RAN else "a reason"))
+    assert store.has_run(key) is (status is Status.RAN)
+
+
 def test_timing_repeats_its_solves_alone_and_once(tiny: Tiny) -> None:
     log = tiny.root / "log"
     words = ("run", "--all", "--codes", "fake/good", "--json", "out.json")
