@@ -59,4 +59,5 @@ BUGS = (
     Bug("the last results are the oldest", "vv/output/explain.py", "for place, records in own.items()}\n        found = {**newest, **found}", "for place, records in own.items()}\n        found = {**found, **newest}", tests="tests/output/test_explained_agreement.py"),
     Bug("points of a picture in the order of settings", "vv/output/gallery/error_cost.py", "zip(*sorted(points), strict=True)", "zip(*points, strict=True)", tests="tests/output/test_error_cost.py"),
     Bug("what a tolerance adds for late events left out", "vv/output/explain.py", "        if tolerance.late:\n", "        if False:\n", tests="tests/output/test_explained_agreement.py"),
+    Bug("stored jobs of a dry run counted by scheme", "vv/output/listing.py", "kept = sum(len(own) for", "kept = sum(1 for", tests="tests/output/test_listing.py"),
 )  # fmt: skip
