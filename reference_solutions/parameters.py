@@ -39,6 +39,12 @@ def require_at_least_0(unit: str, **values: float) -> None:
             raise ValueError(f"{name} = {value} {unit}; it must be finite and at least 0")
 
 
+def require_few(what: str, count: float, most: int) -> None:
+    """Raises ValueError if more than `most` are to be solved, which would take many seconds."""
+    if not count <= most:
+        raise ValueError(f"{count:.4g} {what}; at most {most} are solved, one after another")
+
+
 def require_acute(**degrees: float) -> None:
     """Raises ValueError for an angle that is not in [0, 90) degrees."""
     for name, value in degrees.items():

@@ -29,6 +29,7 @@ from vv.case import (
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
 
+MOST = 1000  # blocks: their shapes take less than a second
 VOUSSOIRS, DEEP, DENSITY = 10, 0.25, 2500.0  # number, half depth [m], kg/m3
 OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 Y, Z = np.eye(3)[1:]
@@ -70,6 +71,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(f"part = {p['part']!r}; it must be {rule} the arch falls")
     if variant in ARCHES:
         _check_friction(p)
+    elif not p["n"] <= MOST:
+        raise ValueError(f"n = {p['n']!r}; at most {MOST} blocks are stacked, one after another")
     blocks = _arch(p) if variant in ARCHES else _stack(p)
     contact = Contact(np.inf, mu=p["mu"])
     scene = Scene((Wall(np.zeros(3), Z), *blocks), contact, gravity=-p["g"] * Z)

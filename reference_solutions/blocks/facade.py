@@ -11,8 +11,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from reference_solutions.parameters import require_few
+
 Array = NDArray[np.float64]
 VOUSSOIRS = 9
+_MOST = 2000  # blocks: about a second of calculation
 
 
 def areas(columns: int, courses: int, length: float, height: float) -> tuple[float, float]:
@@ -36,6 +39,7 @@ def openings(columns: int, courses: int) -> tuple[tuple[float, int, int], ...]:
 def courses(columns: int, courses: int, length: float) -> Iterator[tuple[int, float, float]]:
     """The course and the left and right ends [m] of each block, listed from the lower left."""
     gaps = openings(columns, courses)
+    require_few("blocks", float(columns) * float(courses), _MOST)
     for course in range(courses):
         joints = np.arange(-columns / 2, columns / 2 + 0.25, 0.5)
         joints = joints[(course % 2) :: 2] if course % 2 else joints[::2]

@@ -23,11 +23,14 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from reference_solutions.parameters import require_few
+
 Array = NDArray[np.float64]
 Function = Callable[[float], float]
 Number = TypeVar("Number", float, Array)
 
 _TURN = 2.0 * pi
+_MOST = 10000  # cycles: about a second of calculation
 _SNAP = 1e-9  # [rad]: tolerance on a zero of the drive; a slip this short has no displacement
 _TOUCH = 1e-14  # of q/omega: a minimum of the speed that is 0 within rounding
 _S_SERIES = tuple((-1.0) ** j / factorial(2 * j + 3) for j in range(9))
@@ -90,9 +93,10 @@ def phases(
     steady: v0 + q/omega cos(lag) [m/s], if it is known more accurately than the rounding of lag
     allows.
 
-    A slip whose velocity touches zero ends there, and the next begins. Raises RuntimeError if there
-    are more phases than a harmonic drive can make.
+    A slip whose velocity touches zero ends there, and the next begins. Raises ValueError for
+    more than _MOST cycles, RuntimeError for more phases than a harmonic drive can make.
     """
+    require_few("cycles of the drive", drive.omega * end / _TURN, _MOST)
     found: list[Phase] = []
     start = angle = drive.lag % _TURN
     now, turns, d, v = 0.0, 0.0, 0.0, v0

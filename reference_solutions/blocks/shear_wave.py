@@ -29,9 +29,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from reference_solutions.parameters import require_at_least_0, require_positive, require_times
+from reference_solutions.parameters import (
+    require_at_least_0,
+    require_few,
+    require_positive,
+    require_times,
+)
 
 Array = NDArray[np.float64]
+_MOST = 20000  # reflections, or steps: less than a second of calculation
 
 
 def displacement(t: ArrayLike, *, y: float, height: float, c: float, D: float, F: float) -> Array:
@@ -44,8 +50,10 @@ def displacement(t: ArrayLike, *, y: float, height: float, c: float, D: float, F
     def base(late: Array) -> Array:
         return np.where(late > 0.0, D * (1.0 - np.cos(2.0 * pi * F * late)), 0.0)
 
+    returns = c * float(t.max(initial=0.0)) / (2.0 * height)
+    require_few("reflections of the wave", returns, _MOST)
     u = np.zeros_like(t)
-    for k in range(ceil(c * float(t.max(initial=0.0)) / (2.0 * height)) + 1):
+    for k in range(ceil(returns) + 1):
         up, down = 2.0 * k * height + y, 2.0 * (k + 1) * height - y
         u += (-1.0) ** k * (base(t - up / c) + base(t - down / c))
     return u
@@ -99,6 +107,7 @@ def stepped_displacement(
     """
     own = _chain(number, layers, height, c)
     require_positive("in SI units", dt=dt, F=F)
+    require_few("steps", steps, _MOST)
     base = D * (1.0 - np.cos(2.0 * pi * F * dt * np.arange(steps + 1)))
     u, stiff = np.zeros(steps + 1), 1.0 + (own.w * dt) ** 2 / 2.0
     swing, speed, pace = np.zeros(layers), np.zeros(layers), 0.0  # velocities in m per step

@@ -19,10 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference_solutions.blocks.slip_collocation import NODES, advanced, along, basis, collocate
+from reference_solutions.parameters import require_few
 
 Array = NDArray[np.float64]
 
 TURN = 8 * np.arctan(np.longdouble(1))  # 2 pi, by which angles are reduced in extended precision
+MOST_CYCLES = 500  # some seconds of calculation
 _DECAYED = 1e-10  # of the slip's greatest speed: limit on w from the last two Legendre terms
 _SLOW = 1e-7  # of the slip's greatest speed: below it the slip ends by the closed form
 _SOON = 1e-2  # [rad] of the fastest harmonic: T and F count as constant for that long
@@ -93,8 +95,10 @@ class Interval(NamedTuple):
 def history(drive: Drive, end: float) -> tuple[Step, ...]:
     """The steps of the motion from rest at t = 0 until `end` [s].
 
-    Raises RuntimeError if the steps do not reach `end`.
+    Raises ValueError for more than MOST_CYCLES, RuntimeError if the steps do not reach `end`.
     """
+    cycles = float(drive.omega.max()) * end / (2.0 * pi)
+    require_few("cycles of the drive", cycles, MOST_CYCLES)
     steps: list[Step] = []
     t, x, still = 0.0, np.zeros(2), np.zeros((2, NODES))
     for _ in range(16 + int(8.0 * drive.omega.max() * end / (2.0 * pi))):

@@ -36,6 +36,7 @@ RIGHT = {
     "unlike-bonds:slowed kn=1.93e4 v=0.054 stretch=0.00165": "dem/published",
     "unlike-bonds:slowed eta=60": "dem/published",
     "unlike-bonds:hung kn=1.93e4 v=0.054 stretch=0.00165": "dem/default",
+    "close-packed-energy:pulled-82 kn=1.62e7 ks=8.88e6 d=3.91e-4": "dem/default",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
         "dem/default"
     ),

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from vv.base.errors import UsageError
+from vv.plan.planning import declare_trial
 from vv.plan.project import find
+from vv.plan.settings import parameters_with_settings
+
+PROJECT = find()
 
 
 @pytest.mark.parametrize(
@@ -31,6 +36,28 @@ from vv.plan.project import find
 def test_a_parameter_that_leaves_no_answer_is_refused(
     case: str, variant: str, given: dict[str, float], words: str
 ) -> None:
-    made = find().load_case(case)
+    made = PROJECT.load_case(case)
     with pytest.raises(ValueError, match=words):
         made.declare(variant, {**made.defaults(variant), **given})
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        "at-yield:above duration=1e300",
+        "at-yield:above f=1e5",
+        "incline:two-way duration=1e300",
+        "masonry:rest courses=1e300",
+        "shaken-wedge:along f=1e300",
+        "shaken-wedge:level duration=1e300",
+        "shear-wave:20 G=1e300",
+        "shear-wave:20 duration=1e300",
+        "standing:stack-10 n=1e300",
+    ],
+)
+def test_endless_work_is_refused_by_its_count_before_it_begins(given: str) -> None:
+    name, setting = given.split()
+    case, _, variant = name.partition(":")
+    made = PROJECT.load_case(case)
+    with pytest.raises(UsageError, match=r"at most \d+ (are solved|blocks are stacked), one after"):
+        declare_trial(made, variant, parameters_with_settings(made, variant, [setting]))

@@ -91,3 +91,17 @@ def test_what_never_breaks_has_no_crack() -> None:
 def test_the_costly_blocks_wait_for_the_level_paper() -> None:
     jobs = make_plan(find(Path(__file__)), [CASE.name], Options(Level.DEFAULT)).jobs
     assert {job.variant for job in jobs} == {"pulled-82", "pressed-82"}
+
+
+def test_where_broken_bonds_rub_the_balance_is_judged_until_then_and_to_the_end() -> None:
+    given = {"kn": 1.62e7, "ks": 8.88e6}
+    rubbed = CASE.declare("pulled-82", {**CASE.defaults("pulled-82"), **given})
+    until, to_the_end = (q for q in rubbed.quantities if q.name.startswith("balance"))
+    assert isinstance(until, Scalar)
+    assert isinstance(to_the_end, Scalar)
+    assert isinstance(until.judge, Exact)
+    bound = until.judge.tolerances[Method.SECOND_ORDER].at(COARSE)
+    run = ran(rubbed, COARSE)
+    assert until.observe(run) < 0.1 * bound < bound < to_the_end.observe(run)
+    whole = pulled(COARSE)  # nothing is touched again
+    assert observed("balance", whole) == observed("balance of all", whole)
