@@ -9,6 +9,7 @@ import numpy as np
 from cases._papers import YAGODA_BIRAN_2016
 from cases.blocks.parts import _balance
 from reference_solutions.blocks import facade, responding_block
+from reference_solutions.hard import arch
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
     LARGEST_TOLERANCE,
@@ -47,6 +48,13 @@ def _prism(name: str, corners: Vector, held: bool = False) -> Block:
     return Block(name, vertices, OUTLINE, mass, inertia, np.zeros(3), free=free, free_spin=turns)
 
 
+def _check_friction(p: Parameters) -> None:
+    """Raise ValueError if the arch slides apart on its joints."""
+    inner, outer = facade.rings(int(p["columns"]), LENGTH)
+    if not arch.stands(facade.VOUSSOIRS, 2 * (outer - inner) / (outer + inner), p["mu"]):
+        raise ValueError(f"mu = {p['mu']!r}; whatever the thrust of the arch, a joint slides")
+
+
 def _blocks(p: Parameters, arched: bool) -> list[Block]:
     """The bedstone, the courses from below, and the arch on top, from right to left."""
     columns, courses = int(p["columns"]), int(p["courses"])
@@ -64,6 +72,8 @@ def _blocks(p: Parameters, arched: bool) -> list[Block]:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     still, slides = variant in STILL, variant in SLIDING
+    if still:
+        _check_friction(p)
     blocks = _blocks(p, arched=not slides)
     w = 2 * math.pi * p["f"]
     shaking = Harmonic(-p["D"] * w**2 * X, p["f"] * X, np.full(3, math.pi / 2))

@@ -29,19 +29,21 @@ def stands(n: int, t: float, mu: float) -> bool:
     of an equilibrium and its mirror image is an equilibrium. At each joint the resultant of the
     thrust and the weights above must lie between the edges, which bounds H y from below and from
     above by linear functions of H, and within Coulomb's limit, which bounds H. Every lower bound of
-    H y must be at most every upper one; so all conditions have the form a H <= b.
+    H y must be at most every upper one; so all conditions have the form a H <= b. An odd number
+    has no joint at the crown, and the half arch begins with half of a block.
     """
-    if n < 6 or n % 2:
-        raise ValueError(f"n = {n}; an even number of at least 6 voussoirs is covered")
+    if n < 6:
+        raise ValueError(f"n = {n}; at least 6 voussoirs are covered")
     if not (0.0 < t < 2.0 and mu >= 0.0):
         raise ValueError(f"t = {t}, mu = {mu}; 0 < t < 2 mean radii and mu >= 0 are covered")
     opening, inner, outer = pi / n, 1.0 - t / 2.0, 1.0 + t / 2.0
-    far = [_of_chord(t, opening) * sin(opening * (k + 0.5)) for k in range(n // 2)]
+    parts = _parts(n, t)
     above, below, bounds = [], [], []
-    for j in range(n // 2 + 1):
-        a, weight = opening * j, float(j)
-        above.append((inner * cos(a), sum(inner * sin(a) - x for x in far[:j])))
-        below.append((outer * cos(a), sum(outer * sin(a) - x for x in far[:j])))
+    for j in range(n % 2, len(parts) + 1):
+        weight = sum(w for w, _ in parts[:j])
+        a = opening * weight
+        above.append((inner * cos(a), sum(w * (inner * sin(a) - x) for w, x in parts[:j])))
+        below.append((outer * cos(a), sum(w * (outer * sin(a) - x) for w, x in parts[:j])))
         bounds += [
             (-way * sin(a) - mu * cos(a), weight * (mu * sin(a) - way * cos(a)))
             for way in (-1.0, 1.0)
@@ -50,6 +52,18 @@ def stands(n: int, t: float, mu: float) -> bool:
     least = max([0.0, *(b / a for a, b in bounds if a < 0.0)])
     most = min(b / a for a, b in bounds if a > 0.0)
     return least <= most and all(b >= 0.0 for a, b in bounds if a == 0.0)
+
+
+def _parts(n: int, t: float) -> list[tuple[float, float]]:
+    """Weight and distance from the axis of the blocks of half an arch, from the crown down.
+
+    Half of a block counts as on the axis: it lies above all joints, and its moment only changes the
+    height of the thrust, which is free.
+    """
+    opening, odd = pi / n, n % 2
+    out = _of_chord(t, opening)
+    whole = [(1.0, out * sin(opening * (k + 0.5 + odd / 2.0))) for k in range(n // 2)]
+    return [(0.5, 0.0)] * odd + whole
 
 
 def _of_chord(t: float, opening: float) -> float:

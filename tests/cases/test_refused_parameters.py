@@ -29,6 +29,7 @@ PROJECT = find()
         ("standing", "arch", {"mu": 0.398}, "mu = 0.398; whatever the thrust of an arch"),
         ("standing", "arch-thin", {"mu": 0.4}, "mu = 0.4; whatever the thrust of an arch"),
         ("tetrahedral-unit", "pulled", {"kn": 1e4}, "the unit creeps to rest"),
+        ("masonry", "rest", {"mu": 0.3085}, "whatever the thrust of the arch, a joint slides"),
         ("packing", "seed-1", {"eta": 0.0}, "eta = 0.0 N s/m; without drag nothing"),
         ("tetrahedral-path", "out", {"rate": 2000.0}, "rate = 2000.0 1/s; it must not exceed 250"),
     ],

@@ -44,6 +44,13 @@ def test_both_routes_have_an_arch_slide_apart_below_the_same_friction(n: int, pa
     assert not thrust.stands(n, t, 0.99999 * least)
 
 
+@pytest.mark.parametrize("n", [7, 9])
+def test_an_arch_without_a_joint_at_its_crown_slides_apart_below_the_same_friction(n: int) -> None:
+    least = programme.least_friction(n, 0.3)
+    assert thrust.stands(n, 0.3, 1.00001 * least)
+    assert not thrust.stands(n, 0.3, 0.99999 * least)
+
+
 @pytest.mark.parametrize("part", [1.01, 1.3])
 def test_rigid_contact_slides_apart_below_that_friction_and_stands_above(part: float) -> None:
     least = programme.least_friction(10, part * thrust.thinnest_of_chords(10))
@@ -212,10 +219,13 @@ def same(route: ModuleType) -> bool:
         return bool(good and abs(route.least_friction(8, 1.3 * KNOWN) - LEAST) < 1e-9)
     found = [route.thinnest_of_chords(8), route.thinnest_of_arcs(10)]
     sure = np.allclose(found, [KNOWN, 0.1074601], rtol=0, atol=5e-8)
+    sure = sure and all(route.stands(9, *one) == stands for one, stands in ODD)
     return bool(sure and all(route.stands(8, *one) == stands for one, stands in SLIDES))
 
 
 KNOWN = programme.thinnest(8)
+ODD = [((0.3, times * programme.least_friction(9, 0.3)), times > 1) for times in (0.999, 1.001)]
+ODD += [((times * programme.thinnest(9), 10.0), times > 1) for times in (0.9999, 1.0001)]
 LEAST = programme.least_friction(8, 1.3 * KNOWN)
 SLIDES = [
     ((part * KNOWN, times * programme.least_friction(8, part * KNOWN)), times > 1)
@@ -238,5 +248,5 @@ def test_odd_and_few_voussoirs_are_refused() -> None:
     for n in (4, 9):
         with pytest.raises(ValueError, match=f"n = {n}; an even number"):
             thrust.thinnest_of_chords(n)
-        with pytest.raises(ValueError, match=f"n = {n}; an even number"):
-            thrust.stands(n, 0.2, 0.5)
+    with pytest.raises(ValueError, match="n = 5; at least 6"):
+        thrust.stands(5, 0.2, 0.5)
