@@ -60,4 +60,5 @@ BUGS = (
     Bug("points of a picture in the order of settings", "vv/output/gallery/error_cost.py", "zip(*sorted(points), strict=True)", "zip(*points, strict=True)", tests="tests/output/test_error_cost.py"),
     Bug("what a tolerance adds for late events left out", "vv/output/explain.py", "        if tolerance.late:\n", "        if False:\n", tests="tests/output/test_explained_agreement.py"),
     Bug("stored jobs of a dry run counted by scheme", "vv/output/listing.py", "kept = sum(len(own) for", "kept = sum(1 for", tests="tests/output/test_listing.py"),
+    Bug("an exact phase curve of the fewest outputs", "reports/drawing/phases.py", "return max(whole, key", "return min(whole, key", tests="tests/reports/drawing/test_phases.py"),
 )  # fmt: skip

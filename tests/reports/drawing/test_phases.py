@@ -3,7 +3,7 @@
 import numpy as np
 
 from reports.drawing.collect import History
-from reports.drawing.phases import phase_figures
+from reports.drawing.phases import _exact, phase_figures
 from reports.marks import Mark
 from vv.records.case_facts import QuantityFacts
 from vv.records.outcomes import JudgeKind
@@ -38,3 +38,14 @@ def test_the_exact_curve_needs_both_references() -> None:
     )
     assert 'class="exact"' not in str(figure.svg)
     assert phase_figures([], [], (FACTS[0], FACTS[1])) == []
+
+
+def test_the_exact_curve_is_that_with_the_most_output_times_of_one_scheme() -> None:
+    few, many = T[::2], T
+    pairs = [(history("a", few, few), history("a", few, 1.0 - few)),
+             (history("b", many, many), history("b", many, 2.0 - many)),
+             (history("c", many, None), history("c", many, 3.0 - many))]  # fmt: skip
+    for given in (pairs, pairs[::-1]):
+        found = _exact(given)
+        assert found is not None
+        assert (found[0].tolist(), found[1].tolist()) == (many.tolist(), (2.0 - many).tolist())
