@@ -45,4 +45,6 @@ BUGS = (
     Bug("velocities begin at nil", "adapters/liggghts/answers.py", "np.zeros(3) if isinstance(o, Displacement) else speeds[i]", "np.zeros(3)", tests="tests/adapters/liggghts/test_answers.py"),
     Bug("spins of the first that are listed", "adapters/liggghts/atoms.py", "for row, vector in zip(given.tolist(), rows[given].tolist(), strict=True):", "for row, vector in enumerate(rows[given].tolist()):", tests="tests/adapters/liggghts/test_deck.py"),
     Bug("a program told that blocks turn where they move", "vv/codes/program/question.py", '"free_spin": block.free_spin', '"free_spin": block.free', tests="tests/codes/program/test_question.py"),
+    Bug("a program's largest energy taken for its remainder", "vv/codes/program/result.py", 'parts["unaccounted"].size(), parts["peak"].size()', 'parts["peak"].size(), parts["unaccounted"].size()', tests="tests/codes/program/test_result.py"),
+    Bug("the energy that a program promises to keep unjudged", "vv/codes/program/result.py", 'parts["peak"].size(), bound)', 'parts["peak"].size())', tests="tests/codes/program/test_result.py"),
 )  # fmt: skip
