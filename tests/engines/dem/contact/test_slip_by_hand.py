@@ -93,3 +93,23 @@ def test_a_twist_turns_the_old_force_wholly_and_the_slide_by_half() -> None:
     assert old == pytest.approx(SPRING + 0.02 * np.cross(UP, SPRING), rel=1e-3)
     assert np.linalg.norm(old) == pytest.approx(np.linalg.norm(SPRING))
     assert trial == pytest.approx(np.array(old) - KS * np.array(slide))
+
+
+@pytest.mark.parametrize("x", [0.9 * friction.SMALL, 1.1 * friction.SMALL, 0.5, 3.0])
+def test_a_slide_that_turns_counts_with_its_direction_late_in_the_step(x: float) -> None:
+    """By coth(x/2)/2 - 1/x of its change across itself, which is x/12 for short steps."""
+    old, trial = np.array([2.0, -1.0, 0.3]), np.array([2.1, -1.1, 0.3])
+    slide, change = np.array([-0.3, 0.2, 0.0]), np.array([0.05, 0.11, 0.02])
+    fading, caps = math.exp(-x), (2.6, 2.5)
+    late = 0.5 / math.tanh(x / 2.0) - 1.0 / x if x > 0.1 else x / 12.0
+    aim = slide + late * (change - (change @ slide) / (slide @ slide) * slide)
+    d, f = -aim / np.linalg.norm(aim), old / caps[0]
+    cosine = d @ old / np.linalg.norm(old)
+    due = 2.0 * fading * f + (1.0 - fading**2 + cosine * (1.0 - fading) ** 2) * d
+    given = [tuple(a) for a in (old, trial, slide, change)]
+    found = plain(friction.slip_direction)(*given, caps, x, fading)
+    assert cosine > 0.0
+    assert found == pytest.approx(due, rel=1e-6, abs=1e-9)
+    back, still = tuple(-old), (0.0, 0.0, 0.0)
+    assert plain(friction.slip_direction)(given[0], back, *given[2:], caps, x, fading) == back
+    assert plain(friction.slip_direction)(*given[:2], still, still, caps, x, fading) == given[1]
