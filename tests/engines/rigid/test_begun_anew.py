@@ -6,15 +6,15 @@ that are replaced by the given residuals.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from types import SimpleNamespace
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 
-from vv.engines.rigid.general import converge
-from vv.engines.rigid.limits import CARRIED, CHAIN, FAR, LEAPT, SOFT, STALLED, STEADIED, STUCK
+from vv.engines.rigid.general import few, many
+from vv.engines.rigid.general.few import Limits
+from vv.engines.rigid.limits import CARRIED, FAR, LEAPT, SOFT, STALLED, STEADIED, STUCK
 from vv.scene import Vector
 
 ASKED = 1e-6  # m/s
@@ -42,11 +42,30 @@ def done(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         said.append("newton" if given[-1] == SOFT else "stiff newton")
         return AWAY
 
-    monkeypatch.setattr(converge, "clear", cleared)
-    monkeypatch.setattr(converge, "polish", polished)
-    monkeypatch.setattr(converge, "velocities_without", lambda p, j, b, v, w: (v.copy(), w.copy()))
-    monkeypatch.setattr(converge, "band_ordering", lambda *_: (None, BLOCKS))
+    monkeypatch.setattr(many, "clear", cleared)
+    for where in few, many:
+        monkeypatch.setattr(where, "polish", polished)
+        monkeypatch.setattr(where, "velocities_without", lambda p, j, b, v, w: (v.copy(), w.copy()))
     return said
+
+
+def replace_sweeps(
+    monkeypatch: pytest.MonkeyPatch, swept: Callable[..., Any], left: Callable[..., float]
+) -> None:
+    """Replace sweeps of all kinds, and the residual of velocities that are computed anew."""
+    monkeypatch.setattr(many, "leap_sweeps", swept)
+    monkeypatch.setattr(many, "momentum_sweeps", swept)
+    for where in few, many:
+        monkeypatch.setattr(where, "solve_contacts", swept)
+        monkeypatch.setattr(where, "recomputed", left)
+        monkeypatch.setattr(where, "smaller", min)
+
+
+def solved(way: str, p: Vector, blocks: int = BLOCKS, most: int = 20_000) -> Any:
+    """Sweeps and residual of one way of solving, from impulses p."""
+    solve = getattr(few if way == "solve_chained" else many, way).py_func
+    limits, none = Limits(blocks, ASKED, most), None
+    return solve(limits, none, none, none, p, p.copy(), p.copy(), 1, ASKED, none)
 
 
 def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = STUCK) -> Vector:
@@ -58,9 +77,7 @@ def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = S
         now[0] = next(rows)
         return sweeps, now[0]
 
-    for name in ("leap_sweeps", "momentum_sweeps", "solve_contacts"):
-        monkeypatch.setattr(converge, name, swept)
-    monkeypatch.setattr(converge, "recomputed", lambda *_: now[0])
+    replace_sweeps(monkeypatch, swept, lambda *_: now[0])
     return np.ones((3, 3))
 
 
@@ -71,10 +88,7 @@ def test_sweeps_that_are_stuck_far_off_begin_anew_once(
 ) -> None:
     left, wanted = ROWS[row]
     p = sweeping(monkeypatch, left)
-    setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
-    given = (setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED)
-    solve = getattr(converge, way).py_func
-    sweeps, residual = solve(*given, None) if way == "solve_with_leaps" else solve(*given)
+    sweeps, residual = solved(way, p)
     assert (done, residual) == (wanted, 0.0)
     assert sweeps == STUCK * len(left)
     assert (p == 0.0).all() == ("anew" in wanted)
@@ -84,11 +98,7 @@ def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
     monkeypatch: pytest.MonkeyPatch, done: list[str]
 ) -> None:
     p = sweeping(monkeypatch, [AWAY, AWAY, 0.0], sweeps=STALLED)
-    monkeypatch.setattr(converge, "band_ordering", lambda *_: (None, CHAIN))
-    setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
-    found = converge.solve_in_turns.py_func(  # type: ignore[attr-defined]
-        setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED
-    )
+    found = solved("solve_chained", p)
     assert (done, found) == (["stiff newton", "stiff newton"], (3 * STALLED, 0.0))
     assert (p == 1.0).all()
 
@@ -96,7 +106,7 @@ def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
 @pytest.mark.parametrize(
     ("way", "blocks", "most", "parts"),
     [
-        ("solve_in_turns", 2, 2 * STALLED + 7, [STALLED, STALLED, 7]),
+        ("solve_chained", 2, 2 * STALLED + 7, [STALLED, STALLED, 7]),
         ("solve_in_turns", BLOCKS, CARRIED + STEADIED + 7, [CARRIED, STEADIED, 7]),
         ("solve_with_leaps", BLOCKS, LEAPT, 3 * [STUCK]),
     ],
@@ -110,14 +120,8 @@ def test_sweeps_are_no_more_than_allowed_and_go_on_as_long_as_each_kind_may(
         taken.append(given[-1])
         return given[-1], NEAR
 
-    for name in ("leap_sweeps", "momentum_sweeps", "solve_contacts"):
-        monkeypatch.setattr(converge, name, swept)
-    monkeypatch.setattr(converge, "recomputed", lambda *_: NEAR)
-    monkeypatch.setattr(converge, "smaller", min)
-    setting, p = SimpleNamespace(tolerance=ASKED, most=most, mass=np.ones(blocks)), np.ones((3, 3))
-    given = (setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED)
-    solve = getattr(converge, way).py_func
-    sweeps, _ = solve(*given, None) if way == "solve_with_leaps" else solve(*given)
+    replace_sweeps(monkeypatch, swept, lambda *_: NEAR)
+    sweeps, _ = solved(way, np.ones((3, 3)), blocks, most)
     assert taken == parts
     assert sweeps == most
 
@@ -128,9 +132,6 @@ def test_after_sweeps_that_do_not_converge_velocities_are_computed_anew(
 ) -> None:
     """The residual is then that of the impulses alone, without the rounding of all sweeps."""
     p = sweeping(monkeypatch, [AWAY, AWAY])
-    monkeypatch.setattr(converge, "recomputed", lambda *_: 0.5 * ASKED)
-    setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
-    given = (setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED)
-    solve = getattr(converge, way).py_func
-    found = solve(*given, None) if way == "solve_with_leaps" else solve(*given)
+    monkeypatch.setattr(many, "recomputed", lambda *_: 0.5 * ASKED)
+    found = solved(way, p)
     assert (done, found) == ([], (STUCK, 0.5 * ASKED))

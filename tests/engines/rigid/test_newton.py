@@ -11,7 +11,7 @@ import pytest
 from tests.engines.rigid.test_momentum import MOST, TOLERANCE, pile
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import zero_rows
-from vv.engines.rigid.general.converge import polish
+from vv.engines.rigid.general.few import polish
 from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering, equation_numbers, half_width

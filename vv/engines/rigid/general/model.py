@@ -70,6 +70,7 @@ class Space:
     def arguments(self, dt: float) -> tuple[Any, ...]:
         """The arguments of the kernel that describe the scene, for a step dt [s]."""
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
+        from vv.engines.rigid.general.many import address
         from vv.engines.rigid.general.setting import Setting
 
         scene, blocks = self.scene, self.scene.blocks
@@ -103,6 +104,7 @@ class Space:
             drives=moving,
             drive_start=starts,
             shaking=drive(scene.shaking or NO_MOTION),
+            solver=0 if small else address(),
         )  # fmt: skip
         centre = np.array([block.centroid() for block in blocks])
         velocity = np.array([block.velocity for block in blocks])

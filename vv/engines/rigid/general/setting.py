@@ -31,7 +31,8 @@ class Setting(NamedTuple):
     step [s], which trials may take in parts; pull [m/s2]: see `vv.engines.rigid.scales`; tolerance,
     finest [m/s]: the largest and the smallest residual asked; fewest, most: numbers of sweeps;
     bends: iterations in which friction follows the direction of slip; drives: motions of the
-    walls, and drive_start (w + 1,), where that of each begins; shaking.
+    walls, and drive_start (w + 1,), where that of each begins; shaking; solver: the address of the
+    kernel that solves the contacts of many blocks; zero for few.
     """
 
     shapes: Shapes
@@ -55,6 +56,7 @@ class Setting(NamedTuple):
     drives: Drive
     drive_start: Index
     shaking: Drive
+    solver: int
 
 
 @bundle

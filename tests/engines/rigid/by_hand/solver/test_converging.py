@@ -13,7 +13,7 @@ import pytest
 
 from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from tests.engines.rigid.by_hand.solver.test_sweeps import rubbing
-from vv.engines.rigid.general import converge
+from vv.engines.rigid.general import converge, few, many
 from vv.engines.rigid.limits import BLURRED, CHAIN, FIRMEST, OUTER, ROUNDS, SMALL, SOFT, SOFTEST
 from vv.engines.rigid.solver import rounds
 from vv.engines.rigid.solver.cone import residual
@@ -30,10 +30,10 @@ def test_velocities_are_parted_from_impulses_and_joined_with_them() -> None:
     p[2] = 0.0
     given = np.concatenate([v.ravel(), w.ravel()])
     effect = sum(mobility(bodies) @ jacobian(joints, c).T @ p[c] for c in range(6))
-    free_v, free_w = converge.velocities_without(p, joints, bodies, v, w)
+    free_v, free_w = few.velocities_without(p, joints, bodies, v, w)
     assert np.concatenate([free_v.ravel(), free_w.ravel()]) == pytest.approx(given - effect)
     again_v, again_w = np.full((2, 4, 3), np.nan)
-    left = converge.recomputed(p, joints, bodies, rubbing(1), again_v, again_w, free_v, free_w)
+    left = few.recomputed(p, joints, bodies, rubbing(1), again_v, again_w, free_v, free_w)
     assert again_v == pytest.approx(v)
     assert again_w == pytest.approx(w)
     assert left == pytest.approx(residual(p, joints, rubbing(1), v, w))
@@ -72,7 +72,7 @@ def polished(told: Rounds, left: float, stiffness: float) -> float:
     """Polish from a residual."""
     nothing: Any = None
     joints: Any = told.joints
-    return converge.polish(
+    return few.polish(
         told.p, joints, nothing, nothing, told.v, told.w, ASKED, left, nothing, stiffness
     )
 
@@ -81,7 +81,7 @@ def test_rounds_stiffen_while_they_help_and_are_undone_if_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Of five rounds the third makes it worse and the fourth does not converge."""
-    told = Rounds(monkeypatch, converge, [0.5, 0.4, 0.6, -1.0, 0.1 * ASKED, 9.0], 1.0)
+    told = Rounds(monkeypatch, few, [0.5, 0.4, 0.6, -1.0, 0.1 * ASKED, 9.0], 1.0)
     assert polished(told, 1.0, 1e5) == 0.1 * ASKED
     assert told.stiff == pytest.approx([1e5, 1e6, 1e7, 1e5, 1e3])
     assert told.begun == [1.0, 2.0, 3.0, 3.0, 3.0]
@@ -93,13 +93,13 @@ def test_rounds_stiffen_while_they_help_and_are_undone_if_not(
 def test_rounds_end_where_contacts_are_soft_or_are_too_many(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    told = Rounds(monkeypatch, converge, [2.0] * 9, 1.0)
+    told = Rounds(monkeypatch, few, [2.0] * 9, 1.0)
     assert polished(told, 1.0, 100.0) == 1.0
     assert told.stiff == [100.0, 1.0]
-    told = Rounds(monkeypatch, converge, [1.0 / k for k in range(2, 99)], 1.0)
+    told = Rounds(monkeypatch, few, [1.0 / k for k in range(2, 99)], 1.0)
     assert polished(told, 1.0, 1.0) == 1.0 / (OUTER + 1)
     assert len(told.stiff) == OUTER
-    told = Rounds(monkeypatch, converge, [0.0], 1.0)
+    told = Rounds(monkeypatch, few, [0.0], 1.0)
     assert polished(told, ASKED, 1.0) == ASKED
     assert not told.stiff
 
@@ -110,9 +110,9 @@ def test_a_round_that_leaves_rounding_is_kept(
 ) -> None:
     """Rounding is that of the velocity by the largest impulse, of 1e11 N s at 3 per kg."""
     rounding = BLURRED * 3.0 * np.sqrt(3.0) * 1e11
-    told = Rounds(monkeypatch, converge, [part * rounding], 0.5 * part * rounding)
+    told = Rounds(monkeypatch, few, [part * rounding], 0.5 * part * rounding)
     told.p[:] = 1e11
-    monkeypatch.setattr(converge, "OUTER", 1)
+    monkeypatch.setattr(few, "OUTER", 1)
     found = polished(told, 0.5 * part * rounding, 10.0)
     assert found == pytest.approx(part * rounding if kept else 0.5 * part * rounding)
 
@@ -148,13 +148,12 @@ def test_rounds_that_never_converge_soften_until_they_are_given_up(
 
 def told_by(
     monkeypatch: pytest.MonkeyPatch,
-    blocks: int,
     apart: int,
     leaps: float,
     turns: float,
     anew: list[float],
 ) -> tuple[list[Any], tuple[int, float], Vector]:
-    """What `converged` tries, its result and impulses; each method adds to the impulses.
+    """What `solve_or_retry` tries, its result and impulses; each method adds to the impulses.
 
     leaps, turns, anew: the residuals that they leave.
     """
@@ -174,27 +173,43 @@ def told_by(
         p += 100.0
         return next(left)
 
-    monkeypatch.setattr(converge, "band_ordering", lambda *_: (None, apart))
-    monkeypatch.setattr(converge, "solve_with_leaps", method("leaps", 7, 1.0, leaps))
-    monkeypatch.setattr(converge, "solve_in_turns", method("turns", 20, 10.0, turns))
-    monkeypatch.setattr(converge, "velocities_without", lambda p, j, b, v, w: (v, w))
-    monkeypatch.setattr(converge, "recomputed", lambda *_: 0.0)
-    monkeypatch.setattr(converge, "newton_rounds", newton)
-    setting: Any = SimpleNamespace(mass=np.ones(blocks), tolerance=ASKED)
+    monkeypatch.setattr(many, "band_ordering", lambda *_: (None, apart))
+    monkeypatch.setattr(many, "solve_with_leaps", method("leaps", 7, 1.0, leaps))
+    monkeypatch.setattr(many, "solve_in_turns", method("turns", 20, 10.0, turns))
+    monkeypatch.setattr(many, "solve_chained", method("chained", 30, 1000.0, 9.0))
+    monkeypatch.setattr(many, "velocities_without", lambda p, j, b, v, w: (v, w))
+    monkeypatch.setattr(many, "recomputed", lambda *_: 0.0)
+    monkeypatch.setattr(many, "newton_rounds", newton)
+    limits = few.Limits(SMALL + 1, ASKED, 20_000)
     p = np.full((2, 3), 0.5)
     nothing: Any = None
-    result = converge.converged(
-        setting, nothing, nothing, nothing, p, p.copy(), p.copy(), 1, 0.1 * ASKED
+    result = many.solve_or_retry(
+        limits, nothing, nothing, nothing, p, p.copy(), p.copy(), 1, 0.1 * ASKED
     )
     return said, result, p
 
 
-@pytest.mark.parametrize(("blocks", "apart"), [(SMALL, 99), (99, CHAIN)])
-def test_few_blocks_and_chains_are_solved_in_turns(
-    monkeypatch: pytest.MonkeyPatch, blocks: int, apart: int
+def test_a_chain_is_solved_as_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    said, result, _ = told_by(monkeypatch, CHAIN, 0.0, 9.0, [])
+    assert (said, result) == ([("chained", 0.5)], (30, 9.0))
+
+
+@pytest.mark.parametrize("blocks", [SMALL, SMALL + 1])
+def test_contacts_of_many_blocks_are_solved_at_the_address_given(
+    monkeypatch: pytest.MonkeyPatch, blocks: int
 ) -> None:
-    said, result, _ = told_by(monkeypatch, blocks, apart, 0.0, 9.0, [])
-    assert (said, result) == ([("turns", 0.5)], (20, 9.0))
+    def solve_many_at(address: int, left: Vector, limits: Any, *_: Any) -> int:
+        left[0] = limits.most + address
+        return int(limits.blocks)
+
+    monkeypatch.setattr(converge, "solve_few", lambda limits, *_: (limits.blocks, limits.tolerance))
+    monkeypatch.setattr(converge, "solve_many_at", solve_many_at)
+    setting: Any = SimpleNamespace(mass=np.ones(blocks), tolerance=ASKED, most=40, solver=2)
+    nothing: Any = None
+    found = converge.converged(
+        setting, nothing, nothing, nothing, nothing, nothing, nothing, 0, ASKED
+    )
+    assert found == (blocks, ASKED if blocks <= SMALL else 42)
 
 
 BAD, GOOD = 2.0 * ASKED, 0.9 * ASKED
@@ -215,7 +230,7 @@ def test_many_blocks_are_solved_by_leaps_then_in_turns_then_by_rounds(
     monkeypatch: pytest.MonkeyPatch, solved_by: str
 ) -> None:
     leaps, turns, anew, tries, due, impulse = LATER[solved_by]
-    said, result, p = told_by(monkeypatch, SMALL + 1, CHAIN + 1, leaps, turns, anew)
+    said, result, p = told_by(monkeypatch, CHAIN + 1, leaps, turns, anew)
     starts = [("leaps", 0.5), ("turns", 0.5), ("newton", 0.5), ("newton", 0.0)]
     best = ("newton", 1.5 if leaps < turns else 10.5)
     assert said == [*starts, best][:tries]

@@ -11,7 +11,7 @@ from tests.engines.rigid.by_hand.solver.test_band import linked
 from tests.engines.rigid.by_hand.solver.test_joints import scattered, spd
 from tests.engines.rigid.by_hand.solver.test_sweeps import rubbing
 from vv.engines.blocks.contacts import Contacts
-from vv.engines.rigid.general.converge import polish
+from vv.engines.rigid.general.few import polish
 from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, assemble
 from vv.engines.rigid.solver.cone import residual

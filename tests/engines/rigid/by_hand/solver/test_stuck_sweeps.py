@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from vv.engines.rigid.general import converge
+from vv.engines.rigid.general import few, many
+from vv.engines.rigid.general.few import Limits
 from vv.engines.rigid.limits import (
     CARRIED,
     CHAIN,
@@ -47,11 +47,13 @@ class Stuck:
             ()
         )  # numbers of sweeps of methods that stop before they may
         self.p = np.ones((1, 3))
-        patch.setattr(converge, "velocities_without", lambda p, j, b, v, w: (v, w))
-        patch.setattr(converge, "recomputed", lambda *_: self.left + self.blurs)
-        patch.setattr(converge, "polish", self._polish)
-        for name in ("leap_sweeps", "momentum_sweeps", "solve_contacts"):
-            patch.setattr(converge, name, self._method(name.partition("_")[0]))
+        for where in few, many:
+            patch.setattr(where, "velocities_without", lambda p, j, b, v, w: (v, w))
+            patch.setattr(where, "recomputed", lambda *_: self.left + self.blurs)
+            patch.setattr(where, "polish", self._polish)
+            patch.setattr(where, "solve_contacts", self._method("solve"))
+        patch.setattr(many, "leap_sweeps", self._method("leap"))
+        patch.setattr(many, "momentum_sweeps", self._method("momentum"))
 
     def _method(self, name: str) -> Any:
         def sweep(*given: Any) -> tuple[int, float]:
@@ -70,18 +72,18 @@ class Stuck:
 
     def leaps(self) -> tuple[int, float]:
         """Solve with leaps."""
-        setting, nothing = SimpleNamespace(tolerance=MET), None
-        given: Any = (setting, nothing, nothing, nothing, self.p, self.p, self.p, 0, ASKED, None)
-        return converge.solve_with_leaps(*given)
+        return many.solve_with_leaps(*self._given(99, MOST))
 
-    def turns(
-        self, patch: pytest.MonkeyPatch, blocks: int = 99, apart: int = 99, most: int = MOST
-    ) -> tuple[int, float]:
-        """Solve in turns."""
-        patch.setattr(converge, "band_ordering", lambda *_: (None, apart))
-        setting = SimpleNamespace(tolerance=MET, most=most, mass=np.ones(blocks))
-        given: Any = (setting, None, None, None, self.p, self.p, self.p, 0, ASKED)
-        return converge.solve_in_turns(*given)
+    def turns(self, blocks: int = 99, apart: int = 99, most: int = MOST) -> tuple[int, float]:
+        """Solve in turns, or as few blocks or a chain."""
+        chained = blocks <= SMALL or apart <= CHAIN
+        solve = few.solve_chained if chained else many.solve_in_turns
+        return solve(*self._given(blocks, most))
+
+    def _given(self, blocks: int, most: int) -> Any:
+        nothing = None
+        velocities = self.p, self.p, 0, ASKED, nothing
+        return Limits(blocks, MET, most), nothing, nothing, nothing, self.p, *velocities
 
 
 def test_leaps_end_where_the_residual_is_met(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -114,7 +116,7 @@ def test_velocities_without_the_rounding_of_sweeps_count(monkeypatch: pytest.Mon
     assert told.tried[1] == ("newton", SOFT, True)
     told = Stuck(monkeypatch, [2.0 * ASKED])
     told.blurs = -1.5 * ASKED
-    assert told.turns(monkeypatch) == pytest.approx((CARRIED, 0.5 * ASKED))
+    assert told.turns() == pytest.approx((CARRIED, 0.5 * ASKED))
 
 
 def test_no_more_sweeps_are_made_than_are_left(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -123,7 +125,7 @@ def test_no_more_sweeps_are_made_than_are_left(monkeypatch: pytest.MonkeyPatch) 
     assert told.leaps() == (LEAPT, NEAR)
     assert [few for name, few, _ in told.tried if name == "leap"] == [STUCK] * 3 + [LEAPT - 5800]
     told = Stuck(monkeypatch, [NEAR] * 9, [NEAR] * 9)
-    assert told.turns(monkeypatch, 1, most=STALLED + 10) == (STALLED + 10, NEAR)
+    assert told.turns(1, most=STALLED + 10) == (STALLED + 10, NEAR)
     assert [few for name, few, _ in told.tried if name == "solve"] == [STALLED, 10]
 
 
@@ -133,11 +135,11 @@ def test_few_blocks_and_chains_are_polished_after_few_sweeps(
     monkeypatch: pytest.MonkeyPatch, blocks: int, apart: int, part: float
 ) -> None:
     told = Stuck(monkeypatch, [9.0, WIDE], [1.0, 0.5 * ASKED])
-    assert told.turns(monkeypatch, blocks, apart) == (2 * STALLED, 0.5 * ASKED)
+    assert told.turns(blocks, apart) == (2 * STALLED, 0.5 * ASKED)
     assert told.tried == [("solve", STALLED, True), ("newton", STIFF, True)] * 2
     assert told.aims == pytest.approx([part * ASKED] * 2)
     told = Stuck(monkeypatch, [9.0], [1.0])
-    assert told.turns(monkeypatch, blocks, apart, most=STALLED - 1) == (STALLED - 1, 1.0)
+    assert told.turns(blocks, apart, most=STALLED - 1) == (STALLED - 1, 1.0)
 
 
 @pytest.mark.parametrize(("blocks", "enough"), [(SMALL, False), (SMALL + 1, True)])
@@ -146,7 +148,7 @@ def test_many_blocks_need_the_usual_residual_only_after_many_sweeps(
 ) -> None:
     """Few blocks go on until the finer residual is met."""
     told = Stuck(monkeypatch, [MET] * 99, [MET] * 99)
-    sweeps, left = told.turns(monkeypatch, blocks, CHAIN, most=3000)
+    sweeps, left = told.turns(blocks, CHAIN, most=3000)
     assert left == MET
     assert (sweeps < 3000) == enough
     assert sweeps >= ENOUGH
@@ -154,7 +156,7 @@ def test_many_blocks_need_the_usual_residual_only_after_many_sweeps(
 
 def test_walls_are_solved_by_both_kinds_of_sweeps_in_turn(monkeypatch: pytest.MonkeyPatch) -> None:
     told = Stuck(monkeypatch, [9.0, 9.0, 9.0, ASKED])
-    assert told.turns(monkeypatch)[1] == ASKED
+    assert told.turns()[1] == ASKED
     both = [("momentum", CARRIED, True), ("solve", STEADIED, True)]
     assert told.tried == both * 2
 
@@ -164,7 +166,7 @@ def test_walls_where_both_are_stuck_begin_once_from_none_and_else_are_polished(
 ) -> None:
     """With momentum first after the new start; Newton steps follow all sweeps after that."""
     told = Stuck(monkeypatch, [WIDE] * 8 + [ASKED], [WIDE, WIDE])
-    told.turns(monkeypatch)
+    told.turns()
     first = STUCK // (CARRIED + STEADIED) * 2
     assert first * (CARRIED + STEADIED) // 2 == STUCK
     names = [name for name, *_ in told.tried]
@@ -174,5 +176,5 @@ def test_walls_where_both_are_stuck_begin_once_from_none_and_else_are_polished(
     assert told.aims == [ASKED, ASKED]
     assert {stiff for name, stiff, _ in told.tried if name == "newton"} == {SOFT}
     told = Stuck(monkeypatch, [NEAR] * first, [ASKED])
-    assert told.turns(monkeypatch) == (STUCK, ASKED)
+    assert told.turns() == (STUCK, ASKED)
     assert told.tried[-1] == ("newton", SOFT, True)

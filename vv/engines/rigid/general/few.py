@@ -1,0 +1,144 @@
+"""Solves the contacts of few blocks, and of chains, by sweeps and Newton steps in turn."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import in_order, larger, rows, same_rows, smaller
+from vv.engines.kernels.bundles import bundle
+from vv.engines.kernels.compiled import called, lent
+from vv.engines.kernels.triples import add_scaled, at, dot
+from vv.engines.rigid.limits import (
+    BLURRED,
+    ENOUGH,
+    OUTER,
+    POLISHED,
+    SHINED,
+    SMALL,
+    STALLED,
+    STIFF,
+)
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
+from vv.engines.rigid.solver.cone import Friction, copy_rows, residual, solve_contacts
+from vv.engines.rigid.solver.newton import newton_round
+from vv.scene import Vector
+
+ZERO = (0.0, 0.0, 0.0)
+
+
+@bundle
+class Limits(NamedTuple):
+    """The number of blocks, the largest residual asked [m/s], and the largest number of sweeps."""
+
+    blocks: int
+    tolerance: float
+    most: int
+
+
+@called
+def solve_few(
+    limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
+    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
+) -> tuple[int, float]:  # fmt: skip
+    """Iterate impulses p (c, 3) [N s] until the residual is at most `tolerance` [m/s].
+
+    v, w: (b, 3) velocities that include the effect of p. Returns the number of sweeps and the
+    residual.
+    """
+    place = in_order(limits.blocks)
+    return solve_chained(limits, joints, bodies, friction, p, v, w, fewest, tolerance, place)
+
+
+@called
+def solve_chained(
+    limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
+    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float, place: Index,
+) -> tuple[int, float]:  # fmt: skip
+    """Solve as `solve_few`, for few blocks or a chain, by sweeps and Newton steps in turn.
+
+    Newton steps are cheap there. They continue beyond the residual asked, since residuals add up
+    along a chain.
+    """
+    small, sweeps, left = limits.blocks <= SMALL, 0 * fewest, np.inf
+    finer = (SHINED if small else POLISHED) * tolerance
+    free_v, free_w = velocities_without(p, joints, bodies, v, w)
+    while sweeps < limits.most and left > tolerance:
+        if not small and sweeps >= ENOUGH and left <= limits.tolerance:
+            break
+        few = smaller(STALLED, limits.most - sweeps)
+        more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        sweeps += more
+        if left > tolerance:
+            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
+        if left > tolerance:
+            left = polish(p, joints, bodies, friction, v, w, finer, left, place, STIFF)
+        if more == 0:
+            break
+    return sweeps, left
+
+
+@called
+def velocities_without(
+    p: Vector, joints: Joints, bodies: Bodies, v: Vector, w: Vector
+) -> tuple[Vector, Vector]:
+    """The velocities and spins (b, 3) without the impulses p (c, 3), whose effect is in v, w."""
+    free_v, free_w = same_rows(v, len(v)), same_rows(w, len(w))
+    for c in range(len(p)):
+        apply_nonzero(joints, c, bodies, free_v, free_w, add_scaled(ZERO, -1.0, at(p, c)))
+    return free_v, free_w
+
+
+@lent
+def recomputed(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
+    free_v: Vector, free_w: Vector,
+) -> float:  # fmt: skip
+    """Recompute v, w from the velocities without contact and the impulses p; return the residual.
+
+    Each sweep adds its rounding to the velocities. In a narrow groove, where impulses over mass
+    are 1e6 times the resulting velocity, the rounding would exceed the residual asked.
+    """
+    copy_rows(v, free_v)
+    copy_rows(w, free_w)
+    for c in range(len(p)):
+        apply_nonzero(joints, c, bodies, v, w, at(p, c))
+    return residual(p, joints, friction, v, w)
+
+
+@called
+def polish(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
+    tolerance: float, left: float, place: Index, stiffness: float,
+) -> float:  # fmt: skip
+    """Improve p (c, 3), whose effect is in v, w, by Newton rounds; return the residual [m/s].
+
+    left: the residual at the start; place: see `band_ordering`; stiffness: of the first round. A
+    round that does not reduce the residual is undone, and the next one is less stiff, unless what
+    is left is rounding: stiffer rounds then still improve impulses in a narrow groove.
+    """
+    before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
+    rounding = 0.0
+    for c in range(len(p)):
+        push = np.sqrt(dot(at(p, c), at(p, c)))
+        rounding = larger(rounding, BLURRED * joints.across[c] * push)
+    for _ in range(OUTER):
+        if left <= tolerance or stiffness < 1.0:
+            break
+        copy_rows(before, p)
+        copy_rows(before_v, v)
+        copy_rows(before_w, w)
+        met = newton_round(p, before, joints, bodies, friction, v, w, tolerance, stiffness, place)
+        for c in range(len(p)):
+            apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
+        now = residual(p, joints, friction, v, w)
+        if met and (now < left or now <= rounding):
+            left, stiffness = now, 10.0 * stiffness
+        else:
+            copy_rows(p, before)
+            copy_rows(v, before_v)
+            copy_rows(w, before_w)
+            stiffness *= 0.01
+    return left
