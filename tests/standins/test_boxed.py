@@ -106,11 +106,14 @@ def test_a_wall_s_box_is_as_wide_as_blocks_are_large_or_may_come() -> None:
 
 def test_a_plan_says_what_blocks_are_and_when_shaking_ends() -> None:
     axes = rotation_about_z(0.3)
-    one = box("one", 2.0 * X, [1.0, 0.5, 0.5], velocity=X, spin=Y, load=Z)
+    free, free_spin = np.array([True, False, False]), np.array([False, True, True])
+    one = box("one", 2.0 * X, [1.0, 0.5, 0.5], velocity=X, spin=Y, load=X + Y, free=free,
+              free_spin=free_spin)  # fmt: skip
     plan = boxed(made(one, axes=axes, shaking=Pulse(WAVE, 0.3)))
     (block,) = plan["blocks"]
-    for name, row in (("centre", 2.0 * X), ("velocity", X), ("spin", Y), ("load", Z)):
+    for name, row in (("centre", 2.0 * X), ("velocity", X), ("spin", Y), ("load", X + Y)):
         assert block[name] == pytest.approx(axes @ row)
+    assert (block["free"], block["free_spin"]) == ([*free], [*free_spin])
     assert np.array(block["vertices"]) @ axes == pytest.approx(one.vertices - one.centroid())
     assert np.array(block["inertia"]) == pytest.approx(axes @ one.inertia @ axes.T)
     assert plan["until"] == 0.3

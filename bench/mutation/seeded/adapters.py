@@ -47,4 +47,6 @@ BUGS = (
     Bug("a program told that blocks turn where they move", "vv/codes/program/question.py", '"free_spin": block.free_spin', '"free_spin": block.free', tests="tests/codes/program/test_question.py"),
     Bug("a program's largest energy taken for its remainder", "vv/codes/program/result.py", 'parts["unaccounted"].size(), parts["peak"].size()', 'parts["peak"].size(), parts["unaccounted"].size()', tests="tests/codes/program/test_result.py"),
     Bug("the energy that a program promises to keep unjudged", "vv/codes/program/result.py", 'parts["peak"].size(), bound)', 'parts["peak"].size())', tests="tests/codes/program/test_result.py"),
+    Bug("spins of Kratos that are velocities", "adapters/kratos/plan.py", '"spin": spheres.spin,', '"spin": spheres.velocity,', tests="tests/adapters/kratos/test_plan.py"),
+    Bug("blocks as boxes turn where they move", "vv/standins/boxed.py", '"free_spin": block.free_spin', '"free_spin": block.free', tests="tests/standins/test_boxed.py"),
 )  # fmt: skip

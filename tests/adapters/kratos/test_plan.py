@@ -37,6 +37,21 @@ def test_a_material_has_the_moduli_of_its_contacts() -> None:
     assert plan(struck(Hertz(1e9)))["law"] == pytest.approx({"young": 2e9, "poisson": 0.0})
 
 
+def test_each_number_of_a_sphere_stands_under_its_name() -> None:
+    one = Spheres(
+        np.array([[1.0, 2.0, 3.0]]), np.array([[4.0, 5.0, 6.0]]), np.array([0.5]), np.array([2.0]),
+        np.array([[True, False, False]]), np.array([0.25]), np.array([[7.0, 8.0, 9.0]]),
+        np.array([[False, True, True]]), np.array([[10.0, 11.0, 12.0]]),
+    )  # fmt: skip
+    ask = dataclasses.replace(changed(bodies=(one, WALL)), observables=(Displacement(0),))
+    assert plan(ask)["spheres"] == [{
+        "position": [1.0, 2.0, 3.0], "velocity": [4.0, 5.0, 6.0], "spin": [7.0, 8.0, 9.0],
+        "radius": 0.5, "mass": 2.0, "inertia": 0.25,
+        "force": [10.0, 5.0, 12.0], "start": [10.0, 5.0, 12.0],  # load and weight, no contact
+        "free": [True, False, False], "free_spin": [False, True, True],
+    }]  # fmt: skip
+
+
 def test_steps_springs_and_forces_are_those_of_the_scene() -> None:
     given = plan(ASK)
     assert given["law"] == {"kn": 1e6, "ks": 4e5}
