@@ -32,6 +32,8 @@ RIGHT = {
     "oblique-impact:spun-alloy young=6.71e10 poisson=0.337 rho=2530 R=0.139 mu=0.526 v=0.231 "
     "e=0.721": "dem/published",
     "oblique-impact:spun-alloy mu=1.2 e=0.9": "dem/published",
+    "mfix:dem06 v=1.2": "dem/default",
+    "mfix:dem06 R=6.76e-05 rho=1630 v=0.259 g=12.7 rho_f=1.55 viscosity=1.44e-05": "dem/default",
     "mfix:dem02-1 kn=7.52e4": "dem/default",
     "unlike-bonds:slowed kn=1.93e4 v=0.054 stretch=0.00165": "dem/published",
     "unlike-bonds:slowed eta=60": "dem/published",
