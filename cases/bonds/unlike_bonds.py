@@ -87,7 +87,8 @@ def _along(p: Parameters, goal: History, held: bool) -> Trial:
 
     exact, times = remembered(functools.partial(histories, v=thrown)), goal.times(None)
     late = [histories(times, _behind(thrown, free @ X, p, **law))]
-    judges, moving = _judges(p, row, exact, late, times), range(int(held), 3)
+    faster = histories(times, _raised(thrown, row, p))
+    judges, moving = _judges(p, row, exact, faster, late, times), range(int(held), 3)
     quantities = _displacements(exact, judges, moving, times)
     seen: tuple[Observable, ...] = (*map(Displacement, moving), *([Reaction(0)] * held))
     if held:
@@ -120,7 +121,9 @@ def _slowed(p: Parameters, goal: History) -> Trial:
         move(times, row=lighter, v=thrown),  # -eta (v - a dt/2) is drag on a mass m - eta dt/2
         move(times, row=row, v=_behind(thrown, free @ X, p, row=row, **law)),
     ]
-    quantities = _displacements(exact, _judges(p, row, exact, late, times), range(3), times)
+    faster = move(times, row=row, v=_raised(thrown, row, p))
+    judges = _judges(p, row, exact, faster, late, times)
+    quantities = _displacements(exact, judges, range(3), times)
     seen = tuple(map(Displacement, range(3)))
     return Trial(Ladder(scene, goal, seen, _levels(p)), tuple(quantities))
 
@@ -147,27 +150,42 @@ def _behind(v: Vector, free: Vector, p: Parameters, **law: Any) -> Vector:
     return np.asarray(v - late)
 
 
+def _square(row: unlike_row.Row, p: Parameters) -> float:
+    """(w dt)^2 of the fastest mode at the coarsest step."""
+    return (unlike_row.highest_frequency(row) * COARSEST * _unit(p)) ** 2
+
+
+def _raised(v: Vector, row: unlike_row.Row, p: Parameters) -> Vector:
+    """The velocities (N,) at t = 0 that cause the amplitudes of a leapfrog."""
+    return np.asarray(v * (1 + _square(row, p) / 8))
+
+
 def _judges(
     p: Parameters,
     row: unlike_row.Row,
     exact: Callable[[Vector], Vector],
+    faster: Vector,
     late: list[Vector],
     times: Vector,
 ) -> list[Exact]:
     """The judge of each column of the histories (k, q) that `exact` gives at times.
 
-    late: the histories (k, q) of bodies on which forces act half the coarsest step late.
+    faster: the histories (k, q) from the velocities of `_raised`; late: those of bodies on which
+    forces act half the coarsest step late.
     """
     dt, known = COARSEST * _unit(p), exact(times)
-    square = (unlike_row.highest_frequency(row) * dt) ** 2
-    ahead, size = exact(times * (1 + square / 24)), np.abs(known).max(axis=0)
+    ahead = exact(times * (1 + _square(row, p) / 24))
+    size = np.abs(known).max(axis=0)
 
     def off(*others: Vector) -> Vector:
-        total = sum((np.abs(one - known).max(axis=0) for one in others), start=square / 8 * size)
+        total = np.asarray(sum(np.abs(one - known).max(axis=0) for one in others))
         over = np.divide(total, size, out=np.zeros_like(size), where=size > 0)
         return np.asarray(SPARE * over)
 
-    return [_judge(dt, *both) for both in zip(off(ahead), off(ahead, *late), strict=True)]
+    return [
+        _judge(dt, *both)
+        for both in zip(off(ahead, faster), off(ahead, faster, *late), strict=True)
+    ]
 
 
 def _spinning(p: Parameters, goal: History) -> Trial:
