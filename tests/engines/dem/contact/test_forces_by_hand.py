@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.support.plain import plain
+from vv.engines.dem.bonds import law
 from vv.engines.dem.contact import pairs as of_pairs
 from vv.engines.dem.contact import walls as of_walls
 from vv.engines.dem.contact.hertz import Elastic
@@ -191,3 +192,19 @@ def test_a_slide_is_opposed_by_its_spring_up_to_the_limit_of_friction(
     assert (np.linalg.norm(force) == pytest.approx(cap)) == slips
     due = cap * along if slips else KS * slide
     assert force == pytest.approx(-due)
+
+
+@pytest.mark.parametrize("length", [0.9, 0.7])
+def test_surfaces_of_bonded_spheres_move_by_centres_and_spins_and_turn_by_half_the_twist(
+    length: float,
+) -> None:
+    """Of radii 0.5 and 0.3, which overlap or leave a gap that both share."""
+    e, dt = np.array([0.6, 0.0, 0.8]), 0.01
+    step, a, b = np.random.default_rng(5).normal(size=(3, 3))
+    arms = np.array([0.5, 0.3]) + 0.5 * (length - 0.8)
+    moved = step - dt * np.cross(arms[0] * a + arms[1] * b, e)
+    turned = 0.5 * dt * (a + b) @ e
+    given: Any = (tuple(step), tuple(length * e), dt, tuple(a), tuple(b), 0.5, 0.3)
+    found, twist = plain(law.surface_motion)(*given)
+    assert twist == pytest.approx(turned)
+    assert found == pytest.approx(moved - 0.5 * turned * np.cross(e, moved))
