@@ -109,3 +109,16 @@ def test_a_sine_too_weak_to_lift_a_block_or_too_slow_to_tell_amplitudes_apart_is
         rocking.excess(3.0, **LAW, w=W)
     with pytest.raises(ValueError, match=r"w = 0.1 1/s; such a slow sine overturns every block"):
         rocking.threshold(**LAW, w=0.1)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_block_that_falls_leans_no_farther_than_flat_and_stays_there(side: float) -> None:
+    alpha, p = rocking.slenderness(**LAW)
+    t = np.linspace(0.0, 20.0, 201) / p
+    lean, rate = rocking.phases(t, **LAW, theta=1.2 * side * alpha).T
+    falls = np.abs(lean) < np.pi / 2
+    assert np.count_nonzero(falls) > 20
+    assert (side * np.diff(lean[falls]) > 0.0).all()
+    assert not falls[np.argmin(falls) :].any()
+    assert lean[~falls] == pytest.approx(side * np.pi / 2)
+    assert (rate[~falls] == 0.0).all()

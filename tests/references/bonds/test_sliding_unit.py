@@ -2,6 +2,7 @@
 
 from math import atan2, cos, hypot, sin
 
+import numpy as np
 import pytest
 
 from cases.bonds.tetrahedral_strength import CASE
@@ -57,3 +58,16 @@ def test_the_energy_that_parting_leaves_is_that_of_its_contacts(dt: float) -> No
     assert run.ledger is not None
     within = balance.judge.tolerances[Method.SECOND_ORDER].at(knobs)  # type: ignore[union-attr]
     assert run.ledger.unaccounted / run.ledger.peak < within < 5e-5 * (dt / 4e-8) ** 2
+
+
+def test_a_step_is_the_series_of_a_linear_motion_up_to_the_fourth_power() -> None:
+    """r'' = 2 z - 3 r and z' = -0.7; on linear equations Runge-Kutta's steps are this series."""
+    h, start = 0.3, np.array([1.1, 0.4, -0.6, 1.0])
+    by = h * np.array([[0, 1, 0, 0], [-3, 0, 2, 0], [0, 0, 0, -0.7], [0, 0, 0, 0]])
+    series, term = start.copy(), start
+    for k in range(1, 5):
+        term = by @ term / k
+        series += term
+    r, v, z, _ = map(float, start)
+    made = sliding_unit._stepped(lambda r, v, z: 2.0 * z - 3.0 * r, r, v, z, 0.7, h)
+    assert made == pytest.approx(tuple(series[:3]), rel=1e-14)
