@@ -16,6 +16,7 @@ DEFAULT, LAGGED, PUBLISHED = "dda/default", "dda/lagged", "dda/published"
 BORNE = "dda/augmented-lagrangian"
 FAST, SLOW = "rocking:released", "rocking:overturns-1e-1"
 DRAGGED = "responding-block:1d mu=0.482 g=28.6"
+HIGH = "masonry:slides courses=12 mu=0.167 duration=0.675"
 LAID, SOFT, STIFF = Knobs(1e-3, 1e9), Knobs(1e-3, 1e8), Knobs(1e-3, 1e10)
 
 
@@ -74,6 +75,12 @@ FOUND: Table = {
         Row("masonry:slides", DEFAULT, STIFF, "highest", 3.2e-3, 3.4e-3),
         Row("masonry:slides", DEFAULT, Knobs(5e-4, 1e10), "highest", 3.2e-3, 3.4e-3),
     ],
+    "Twelve courses with a friction of 0.167 are 0.17 off in `dda/default` at 5e-4 s on 1e9 N/m, "
+    "and 0.03 at 1e-3 s": [
+        Row(HIGH, DEFAULT, Knobs(5e-4, 1e9), "lowest", 0.1, 0.25),
+        Row(HIGH, DEFAULT, LAID, "lowest", 0.025, 0.035),
+    ],
+    "`rigid` is 2e-3 off": [Row(HIGH, "rigid/default", Knobs(5e-4), "highest", 1e-3, 3e-3)],
     "off by 5e-4 of its weight in the first step of `dda`, and by 4e-6 after a twentieth of a "
     "second": [
         Row("masonry:rest", DEFAULT, None, "borne", 4.5e-4, 5.5e-4),

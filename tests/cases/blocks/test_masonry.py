@@ -23,3 +23,27 @@ def test_bounds_grow_with_how_often_slip_turns_about_over_the_way() -> None:
     """They grow as mu g f T^2 over twenty times D, where that is more than one."""
     assert late({}) == pytest.approx((10.0, 2e-2))  # 0.2 9.81 2 0.5^2 over 1 is 0.981
     assert late({"D": 0.05 * 0.981 / 3.0}) == pytest.approx((30.0, 6e-2))
+
+
+def on_springs(variant: str = "slides", **given: float) -> float | None:
+    """The bound of springs at 1e9 N/m but for the steps; None where they are not judged."""
+    (lowest, _) = CASE.declare(variant, {**CASE.defaults(variant), **given}).quantities
+    assert isinstance(lowest, Series)
+    assert isinstance(lowest.judge, Exact)
+    bound = lowest.judge.tolerances.get(Method.PENALTY)
+    return bound and bound.value
+
+
+def test_springs_are_not_judged_where_thrust_leans_towards_the_edge() -> None:
+    """By mu n H/2, beyond a sixteenth of the width or three quarters of a stone."""
+    assert on_springs() == pytest.approx(2.5e-3 * 5)
+    assert on_springs("slides-200") == pytest.approx(2.5e-3 * 14)
+    assert on_springs(courses=12.0, mu=0.124) == pytest.approx(2.5e-3 * 12)
+    assert on_springs(courses=12.0, mu=0.126) is None  # off by 0.151 m, of 2.4 m
+    assert on_springs("slides-200", mu=0.213) == pytest.approx(2.5e-3 * 14)
+    assert on_springs("slides-200", mu=0.215) is None  # off by 0.301 m
+
+
+def test_courses_on_springs_walk_on_at_a_steady_speed() -> None:
+    assert on_springs(duration=1.0) == pytest.approx(2 * 2.5e-3 * 5)
+    assert on_springs(duration=0.25) == pytest.approx(2.5e-3 * 5)
