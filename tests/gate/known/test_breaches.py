@@ -1,11 +1,13 @@
 """Laws that a ledger shows as broken: known within a band, news outside it and when mended."""
 
 import datetime
+import tomllib
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests import ROOT
 from tests.support.fabricated import entry, record
 from vv.ask import Knobs, Ledger, Method, Run, Status
 from vv.base.errors import UsageError
@@ -181,3 +183,10 @@ def test_a_case_says_what_energy_may_go_unexplained_where_rounding_is_no_measure
     assert allowed(Method.SECOND_ORDER, 1e-3, Ledger({}, 0.0, 1.0, None)) is None
     with pytest.raises(ValueError, match="must be positive"):
         EnergyAllowance(0.0, {})
+
+
+def test_no_breach_at_other_parameters_is_excused_in_all_cases() -> None:
+    found = tomllib.loads((ROOT / "cases" / "disagreements.toml").read_text())["breach"]
+    excused = [one for one in found if "elsewhere" in one]
+    assert excused
+    assert not [one["reason"] for one in excused if one["case"] == "*"]
