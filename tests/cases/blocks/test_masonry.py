@@ -31,7 +31,7 @@ def on_springs(variant: str = "slides", **given: float) -> float | None:
     assert isinstance(lowest, Series)
     assert isinstance(lowest.judge, Exact)
     bound = lowest.judge.tolerances.get(Method.PENALTY)
-    return bound and bound.value
+    return None if bound is None else bound.value
 
 
 def test_springs_are_not_judged_where_thrust_leans_towards_the_edge() -> None:

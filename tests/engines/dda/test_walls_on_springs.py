@@ -61,7 +61,7 @@ def start() -> tuple[Any, Any, Vector, float]:
     plain(kernels.fill_masses)(rows, bodies, initial)
     for one, end in zip(bodies.start, bodies.start[1:], strict=False):
         mass[one:end, one:end] = rows[one:end, : end - one]
-    return bodies, touch, mass, law.ks
+    return bodies, touch, mass, law.ks or 0.0
 
 
 def on_springs() -> Vector:
