@@ -20,11 +20,11 @@ TESTED: Mapping[str, tuple[str, ...]] = {
         f"{DDA}/test_dda.py::test_shaking_is_felt_in_the_middle_of_a_step_and_by_replicas_at_its_end",
     ),
     "friction makes springs without damping vibrate": (
-        f"{DDA}/test_walls_on_springs.py::"
+        f"{DDA}/slides/test_walls_on_springs.py::"
         "test_fine_steps_converge_to_the_motion_on_springs_and_not_to_a_rigid_wall",
     ),
     "This is the motion of the springs and no error of the step": (
-        f"{DDA}/test_walls_on_springs.py::"
+        f"{DDA}/slides/test_walls_on_springs.py::"
         "test_fine_steps_converge_to_the_motion_on_springs_and_not_to_a_rigid_wall",
     ),
     "The case judges no springs there": (
