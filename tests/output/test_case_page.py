@@ -60,8 +60,9 @@ def test_variants_after_the_first_show_the_numbers_in_which_they_differ_from_it(
 
 def test_a_quantity_is_told_with_its_error_and_a_tolerance_for_each_class_of_method() -> None:
     told = {
-        "first order": ToleranceFacts(2e-3, "lags", dt=1e-3, order=1),
+        "first order": ToleranceFacts(2e-3, "lags", dt=1e-3, order=1, floor=1e-6),
         "penalty": ToleranceFacts(0.01, "sinks", kn=1e8, softness=0.5),
+        "rounded": ToleranceFacts(0.1, "waits", late=5.0),
         "exact": ToleranceFacts(1e-9, "rounding"),
     }
     one = QuantityFacts(
@@ -72,8 +73,9 @@ def test_a_quantity_is_told_with_its_error_and_a_tolerance_for_each_class_of_met
         "Error: largest.",
         "| class of method | tolerance | why |",
         "|---|---|---|",
-        "| first order | 0.002 at dt = 0.001 s, as dt^1 | lags |",
-        "| penalty | 0.01, at kn = 1e+08 N/m, as kn^-0.5 | sinks |",
+        "| first order | 0.002 at dt = 0.001 s, as dt^1, at least 1e-06 | lags |",
+        "| penalty | 0.01 at kn = 1e+08 N/m, as kn^-0.5 | sinks |",
+        "| rounded | 0.1, plus 5 1/s times dt | waits |",
         "| exact | 1e-09 | rounding |",
         "| lagging | shown only | it sinks |",
     ]

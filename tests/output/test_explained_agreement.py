@@ -106,8 +106,8 @@ def test_a_tolerance_is_told_with_all_that_it_scales_by(
     )
     assert told(capsys, judge) == [
         f"norm: {Norm.FINAL.value}",
-        f"{Method.SECOND_ORDER.value}: 0.002 at dt = 0.001 s, as dt^2 at kn = 1e+09 N/m, as "
-        "kn^-0.5, and 3 1/s times dt, at least 4e-05: of the step",
+        f"{Method.SECOND_ORDER.value}: 0.002 at dt = 0.001 s, as dt^2, at kn = 1e+09 N/m, as "
+        "kn^-0.5, plus 3 1/s times dt, at least 4e-05: of the step",
         f"{Method.FIRST_ORDER.value}: 0.01: of all",
         f"{Method.PENALTY.value}: shown: too soft",
     ]

@@ -11,7 +11,7 @@ from vv.case import Case, CodeToCode, Exact, Measured, Quantity
 from vv.gate.judgement import against_code, against_measurement, outcome
 from vv.insight.agreement import agreements
 from vv.output.terminal import say
-from vv.output.wording import in_words
+from vv.output.wording import in_words, scaled
 from vv.plan.plan import Job, Plan
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
@@ -92,14 +92,7 @@ def _explain_quantity(quantity: Quantity) -> None:
         return
     say(f"    norm: {judge.norm.value}")
     for method, tolerance in judge.tolerances.items():
-        step = f" at dt = {tolerance.dt:g} s, as dt^{tolerance.order}" if tolerance.dt else ""
-        if tolerance.kn:
-            step += f" at kn = {tolerance.kn:g} N/m, as kn^-{tolerance.softness:g}"
-        if tolerance.late:
-            step += f", and {tolerance.late:g} 1/s times dt"
-        if step and tolerance.floor:
-            step += f", at least {tolerance.floor:g}"
-        say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
+        say(f"    {method.value}: {scaled(tolerance)}: {tolerance.reason}")
     for method, reason in judge.not_judged.items():
         say(f"    {method.value}: shown: {reason}")
 

@@ -1,9 +1,11 @@
-"""Words for outcomes and durations, and counts of outcomes in order of severity."""
+"""Words for outcomes, durations and tolerances, and counts of outcomes in order of severity."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
+from vv.case import Tolerance
+from vv.records.case_facts import ToleranceFacts
 from vv.records.outcomes import Outcome
 
 WORDS = {  # the phrases for one result and for several
@@ -36,3 +38,18 @@ def listed(counts: Mapping[Outcome, int]) -> str:
     """The outcomes with their counts in words, judged ones first."""
     ranked = sorted(counts, key=lambda one: (ORDER.get(one, len(ORDER)), one.value))
     return ", ".join(f"{counts[one]} {in_words(one, counts[one])}" for one in ranked)
+
+
+def scaled(tolerance: Tolerance | ToleranceFacts) -> str:
+    """The bound of a tolerance with all by which it changes: 1e-4 at dt = 1e-3 s, as dt^2."""
+    one = tolerance
+    parts = [f"{one.value:g}"]
+    if one.dt:
+        parts.append(f" at dt = {one.dt:g} s, as dt^{one.order}")
+    if one.kn:
+        parts.append(f"{',' * bool(one.dt)} at kn = {one.kn:g} N/m, as kn^-{one.softness:g}")
+    if one.late:
+        parts.append(f", plus {one.late:g} 1/s times dt")
+    if one.floor and (one.dt or one.kn):
+        parts.append(f", at least {one.floor:g}")
+    return "".join(parts)

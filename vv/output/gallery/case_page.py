@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from vv.case import Case
 from vv.output.gallery.markup import cell, code, listed_codes, table
+from vv.output.wording import scaled
 from vv.records.case_facts import CaseFacts, QuantityFacts, VariantFacts
 
 Answers = Mapping[str, Mapping[str, int | str]]  # scheme -> variant -> unknowns, or why not
@@ -118,9 +119,7 @@ def _judged(quantity: QuantityFacts) -> Iterator[str]:
         return
     rows = []
     for method, one in quantity.tolerances.items():
-        at = f" at dt = {one.dt:g} s, as dt^{one.order}" if one.dt else ""
-        at += f", at kn = {one.kn:g} N/m, as kn^-{one.softness:g}" if one.kn else ""
-        rows.append((method, f"{one.value:g}{at}", cell(one.reason)))
+        rows.append((method, scaled(one), cell(one.reason)))
     shown = sorted((quantity.shown or {}).items())
     rows += [(method, "shown only", cell(why)) for method, why in shown]
     yield f"Error: {cell(quantity.norm or '')}."
