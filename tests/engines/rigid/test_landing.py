@@ -16,7 +16,7 @@ from tests.scenes.blocks.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN
 from vv.ask import Ask, Knobs
 from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks
-from vv.engines.rigid.limits import LOOSELY
+from vv.engines.rigid.limits import HITS, LOOSELY
 from vv.engines.rigid.point.model import point
 from vv.engines.rigid.point.trial import Ground, landing_time
 from vv.scene import Contact, Harmonic, Mask, Scene, Wall
@@ -80,6 +80,24 @@ def test_among_more_than_eight_blocks_one_that_lands_penetrates_for_half_a_step(
     gap = next(one for one, speed in gaps if one < step * (speed + G * step))
     assert program.report[:, 2].max() == pytest.approx(0.5 * (gap - LOOSELY), rel=1e-6)
     assert program.arguments[0][-1, 0, 2] == pytest.approx(-high, abs=1e-5)
+
+
+@pytest.mark.parametrize(("gap", "rocks"), [(0.4e-6, False), (1.2e-6, False), (1.5e-6, True)])
+def test_edges_that_land_nearly_together_take_part_in_one_impact(gap: float, rocks: bool) -> None:
+    """A column lands at 1.26 m/s with one edge lower by `gap`. Up to 1.36e-6 m, HITS times the
+    motion in a step, the other edge takes part in the impact; its gap closes in the next step, and
+    the column stays. Edges hit one after the other make it rock on."""
+    step, half, speed = 1e-2, np.array([0.1, 0.1, 0.4]), 1.0
+    c, s = np.cos(gap / 0.2), np.sin(gap / 0.2)
+    axes = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
+    column = box("column", [0.0, 0.0, 0.03 + np.abs(axes[:, 2]) @ half], half, axes,
+                 velocity=[0.0, 0.0, -speed], free=IN_PLANE, free_spin=ACROSS)  # fmt: skip
+    scene = Scene((FLOOR, column), Contact(np.inf, mu=0.5), gravity=DOWN)
+    assert HITS * step * (np.hypot(speed, np.sqrt(0.06 * G)) + G * step) == pytest.approx(
+        1.36e-6, rel=2e-3
+    )
+    spin = np.abs(solved(scene, 0.3, step, step).arguments[0][:, 0, 7]).max()
+    assert spin > 0.1 if rocks else spin <= 1.001 * gap / (0.2 * step)
 
 
 def dropped(step: float, duration: float = 0.7) -> float:

@@ -119,12 +119,12 @@ def attempt(
 ) -> Trial:  # fmt: skip
     """The trial of a step from `state` at `now` over `span` [s]; the state is not changed.
 
-    slack [m]: gaps of new contacts up to this count as zero. In a part of a step, contacts that
-    were pressed before count as closed: their gaps are of second order, and closing them in less
-    than a step would give the block an impulse. If slack is larger than the setting's, the trial is
-    an impact. New contacts then have no initial direction of friction, since they hardly move
-    before it and may do so in any direction. It is one function since it only prepares arrays, each
-    for the next, for one call of `solved`.
+    slack [m]: gaps of new contacts up to this count as zero, so that contacts are sought as far as
+    this. In a part of a step, contacts that were pressed before count as closed: their gaps are of
+    second order, and closing them in less than a step would give the block an impulse. If slack is
+    larger than the setting's, the trial is an impact. New contacts then have no initial direction
+    of friction, since they hardly move before it and may do so in any direction. It is one function
+    since it only prepares arrays, each for the next, for one call of `solved`.
     """
     n, b = len(setting.mass), len(setting.inverse)
     rotation, turned = squares(n), zero_squares(b)
@@ -149,7 +149,7 @@ def attempt(
     place_rigid(vertex, normal, setting.shapes, centre[:n], rotation)
     fastest = fastest_speed(setting, state, now, span)
     smallest = least_of(setting.shapes.size)
-    margin = 2.0 * span * fastest + 1e-6 * smallest
+    margin = larger(2.0 * span * fastest + 1e-6 * smallest, slack)
     found, count = detected(contacts, setting, vertex, normal, shift, margin)
     bodies = Bodies(setting.inverse, turned, centre)
     joints = assemble(found, count, bodies)
