@@ -21,6 +21,7 @@ def test_a_block_is_the_least_squares_of_where_its_points_part() -> None:
     assert pytest.approx(KN * D * FORCE / SMALL.area, rel=1e-11) == answer.E
     widths = [close_packed_lattice.narrowing(SMALL, MOVED * D, axis) for axis in (0, 1)]
     assert [answer.nu_x, answer.nu_y] == pytest.approx(widths, rel=1e-9)
+    assert answer.nu == pytest.approx(np.mean(widths), rel=1e-9)
 
 
 def test_in_the_unit_the_shear_springs_hold_nothing() -> None:
