@@ -8,6 +8,7 @@ import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from cases.blocks.parts._failure_chart import (
+    HALF,
     SEVERAL,
     STEEPEST,
     TURNS,
@@ -65,7 +66,7 @@ def _scene(variant: str, p: Parameters, points: list[Point]) -> Scene:
     free = (IN_PLANE, ACROSS) if variant.startswith("2d") else (FREE, FREE)
     for number, (psi, delta) in enumerate(points):
         d = math.radians(delta)
-        half = p["R"] * np.array([math.sin(d), 0.5, math.cos(d)])
+        half = p["R"] * np.array([math.sin(d), HALF, math.cos(d)])
         vertices, faces = box_geometry(half[2] * axes[2] + place * axes[1], half, axes)
         mass, inertia = polyhedron_inertia(vertices, faces, DENSITY)
         push = mass * p["g"] * math.tan(math.radians(psi - p["alpha"]))
@@ -216,8 +217,9 @@ CASE = Case(
         "Secs. 3.2 and 4.3: 106 of 110 points agree in the plane, 49 of 51 and 89 of 89 in space. "
         "The points are not given: ours lie half a degree from the borders, on both sides, and "
         "evenly over the chart. The paper judges by rules in words; here the displacement of the "
-        "centre decides. At friction phi_c and above, a block topples about its lower edge without "
-        "sliding.",
+        "centre decides. In space points are left out where Coulomb's law also permits a block to "
+        "turn aside as it topples. At friction phi_c and above, a block topples about its lower "
+        "edge without sliding.",
     ),
     parameters=(
         Parameter("phi", 20.0, "degrees", "friction angle"),

@@ -15,12 +15,15 @@ slides and topples     n = cos psi/(1 - (mu h - b) b/k^2), q = (mu h - b) n/k^2,
 The block slides for phi < psi and phi <= delta, topples for psi > delta and phi >= phi_c, does both
 for psi > delta and delta < phi < phi_c, and stays otherwise; at phi = phi_c toppling alone needs
 exactly the available friction (Hoek and Bray, with the borders of Yeung 1991 and of Yagoda-Biran
-and Hatzor 2013). Angles are in degrees. Every function raises ValueError for angles outside their
-ranges.
+and Hatzor 2013).
+
+In space Coulomb's law may permit other motions of the lower edge, in which the block also turns
+about the normal of the slope (`may_turn_aside`). Angles are in degrees. Every function raises
+ValueError for angles outside their ranges.
 """
 
 from enum import IntEnum
-from math import atan, cos, degrees, radians, sin, tan
+from math import atan, cos, degrees, hypot, radians, sin, tan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,6 +82,56 @@ def acceleration(which: Mode, *, psi: float, phi: float, delta: float) -> Array:
         return 0.75 * (h * sin(p) - b * cos(p)) * np.array([h, b])
     n = cos(p) / (1.0 - 3.0 * (mu * h - b) * b)
     return np.array([sin(p) - mu * n, n - cos(p)])
+
+
+def may_turn_aside(*, psi: float, phi: float, delta: float, half: float) -> bool:
+    """Whether a block in space that topples may turn aside, so that its motion is not unique.
+
+    half: half of its length along the lower edge, for a half diagonal of 1.
+    """
+    _require(psi=psi, phi=phi, delta=delta)
+    if not half > 0.0:
+        raise ValueError(f"half = {half!r}; it must be positive")
+    return delta < min(psi, phi) and (
+        _one_corner_holds(psi, phi, delta, half) or _slip_is_unstable(psi, phi, delta, half)
+    )
+
+
+def _one_corner_holds(psi: float, phi: float, delta: float, half: float) -> bool:
+    """Whether one corner of the lower edge may stick while the other slips down.
+
+    With the mean slip s of the corners, the sums x, n of their forces down and out of the slope,
+    and the difference d of the normal forces, the edge neither rises nor rolls nor moves along
+    itself, and the slipping corner bears mu (n - d)/2.
+    """
+    p, mu = radians(psi), tan(radians(phi))
+    b, h = sin(radians(delta)), cos(radians(delta))
+    yaw = (b * b + half * half) / 3.0 + b * b  # moment of inertia over the mass, about the edge
+    rows = [
+        [1.0, -1.0 - 3.0 * h * h, -3.0 * h * b],
+        [0.0, 3.0 * h * b, 1.0 + 3.0 * b * b],
+        [yaw - mu * h * b, half**2, mu * half**2],
+    ]
+    slip, along, push = np.linalg.solve(rows, [sin(p), cos(p), 0.0]).tolist()
+    more = h * b * slip / half**2
+    light, heavy = (push - more) / 2.0, (push + more) / 2.0
+    needed = hypot(along + mu * light, b * slip / half)
+    return bool(slip > 0.0 and light >= 0.0 and needed <= mu * heavy)
+
+
+def _slip_is_unstable(psi: float, phi: float, delta: float, half: float) -> bool:
+    """Whether a turn of slip down the slope shifts load between the corners so that it grows.
+
+    The turn r needs the moment (b^2 + half^2) r/3 about the normal. Friction across the slope,
+    mu n f, keeps the edge in place: b r = f (s + mu n) by size. Its lever arm is b, and the roll
+    that it would cause shifts normal forces whose friction has the arm mu h.
+    """
+    p, mu = radians(psi), tan(radians(phi))
+    b, h = sin(radians(delta)), cos(radians(delta))
+    push = cos(p) / (1.0 - 3.0 * (mu * h - b) * b)
+    slip = sin(p) - mu * push - 3.0 * h * (mu * h - b) * push
+    turning = (b * b + half * half) / 3.0 * (1.0 + slip / (mu * push))
+    return slip > 0.0 and push > 0.0 and (mu * h - b) * b > turning
 
 
 def _require(**angles: float) -> None:

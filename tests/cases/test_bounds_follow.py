@@ -10,6 +10,7 @@ from vv.records.outcomes import Verdict
 from vv.records.record import measured
 
 RIGHT = {
+    "failure-modes:3d-40 phi=37.4 alpha=12.5": "rigid/default",
     "knife-edge:topples crossing=31 mu=2.19 duration=0.178": "dda/default",
     "knife-edge:topples g=19.1 duration=0.259": "dda/default",
     "painleve:mu-0.8 half=2.23 g=20.8 m=262": "dda/default",

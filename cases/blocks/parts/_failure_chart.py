@@ -13,6 +13,7 @@ from vv.case import Parameters, RegionMap
 Point = tuple[float, float]  # psi, delta [degrees]
 TURNS = 2e-3  # of the displacement: what the rotation of a block changes within the duration
 NEAR, AWAY = 0.5, 2.0  # degrees from a border: of points beside it, and at least of all others
+HALF = 0.5  # of a block's length along the strike, over half a diagonal
 STEEPEST, SLENDEREST, STOUTEST = 75.0, 6.0, 70.0  # degrees: psi and delta of the chart
 SEVERAL, UNDER_GRAVITY = 22, 17  # points for a friction angle, and for a slope
 FINE = 40  # places along a curved border
@@ -28,14 +29,19 @@ def tested_points(variant: str, p: Parameters) -> list[Point]:
         return [
             point
             for point in dict.fromkeys(slope)
-            if 0.0 < point[1] < 90.0 and _is_distinct(p, point)
+            if 0.0 < point[1] < 90.0 and _is_distinct(p, point) and _is_unique(p, point)
         ]
+    plane = variant.startswith("2d")
     found = [
         point
         for point in _pairs_at_borders(p["phi"])
-        if _on_chart(*point) and _is_distinct(p, point)
+        if _on_chart(*point) and _is_distinct(p, point) and (plane or _is_unique(p, point))
     ]
-    more = (point for point in _spread_points() if is_clear(p["phi"], *point))
+    more = (
+        point
+        for point in _spread_points()
+        if is_clear(p["phi"], *point) and (plane or _is_unique(p, point))
+    )
     found = list(dict.fromkeys(found))
     return found + [next(more) for _ in range(SEVERAL - len(found))]
 
@@ -62,6 +68,11 @@ def _is_distinct(p: Parameters, point: Point) -> bool:
     due = acceleration(own, **law)
     others = (acceleration(mode, **law) for mode in Mode if mode is not own)
     return min(float(np.linalg.norm(other - due)) for other in others) > 2 * TURNS
+
+
+def _is_unique(p: Parameters, point: Point) -> bool:
+    """Whether Coulomb's law permits the charted motion only, and no turn in space."""
+    return not first_motion.may_turn_aside(**law_at(p, point), half=HALF)
 
 
 def _on_chart(psi: float, delta: float) -> bool:

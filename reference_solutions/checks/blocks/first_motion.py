@@ -32,6 +32,42 @@ def acceleration(*, psi: float, phi: float, delta: float) -> Array:
     raise ValueError(f"psi, phi, delta = {psi}, {phi}, {delta} degrees: no mode is consistent")
 
 
+def may_turn_aside(*, psi: float, phi: float, delta: float, half: float) -> bool:
+    """Whether a toppling block in space may turn, by equations for both corners of its edge."""
+    p, d, mu = radians(psi), radians(delta), tan(radians(phi))
+    mobile, free = _corners(d, half), np.tile([sin(p), 0.0, -cos(p)], 2)
+
+    def moved(one: Array, two: Array, kept: list[int]) -> tuple[Array, Array]:
+        """Forces and accelerations (6,) where `kept` do not move; rows are directions of force."""
+        pushes = np.zeros((len(one) + len(two), 6))
+        pushes[: len(one), :3], pushes[len(one) :, 3:] = one, two
+        force = pushes.T @ np.linalg.solve((mobile @ pushes.T)[kept], -free[kept])
+        return force, mobile @ force + free
+
+    rubbing = [np.array([[-mu * cos(a), -mu * sin(a), 1.0]]) for a in (0.0, 1e-6)]
+    force, went = moved(np.eye(3), rubbing[0], [0, 1, 2, 5])
+    holds = went[3] > 0.0 and min(force[2], force[5]) >= 0.0
+    if holds and np.hypot(*force[:2]) <= mu * force[2]:
+        return True
+    force, straight = moved(rubbing[0], rubbing[0], [2, 5])
+    _, bent = moved(rubbing[1], rubbing[0], [2, 5])
+    # slip turned at one corner turns both, and as much if turned at the other: it grows with both
+    own, other = bent[1] / bent[0] / 1e-6, bent[4] / bent[3] / 1e-6
+    return bool(straight[0] > 0.0 and force[2] > 0.0 and (own - 1.0) + other > 0.0)
+
+
+def _corners(d: float, half: float) -> Array:
+    """The accelerations (6, 6) of the two corners of the lower edge by forces on them."""
+    b, h = sin(d), cos(d)
+    at = [np.array([b, side * half, -h]) for side in (1.0, -1.0)]
+    inertia = np.array([half**2 + h * h, 1.0, b * b + half**2]) / 3.0
+    turns = [np.cross(np.eye(3), arm) for arm in at]  # rows: rotation about each axis
+    return np.vstack([
+        np.hstack([np.eye(3) + own.T @ (other / inertia[:, None]) for other in turns])
+        for own in turns
+    ])  # fmt: skip
+
+
 def _tried(
     states: tuple[str, ...], pull: Array, mu: float, at: tuple[float, ...], h: float
 ) -> Array | None:
