@@ -9,6 +9,7 @@ import pytest
 
 from tests.support.fabricated import entry, manifest, record
 from vv.insight.against_measurements import Agreement, Compared, agreements, factor, overall
+from vv.records.job_record import Record
 from vv.records.quantity import MeasuredQuantity, MeasurementFacts
 from vv.records.reading import ran
 
@@ -90,3 +91,22 @@ def test_only_ratios_of_what_is_positive_enter_a_statistic() -> None:
     good = _points(np.array([0.98, 1.0, 1.02]), 0.01)
     off = [replace(good[0], computed=-1.0), replace(good[0], measured=-1.0)]
     assert factor([*good, *off]) == factor(good)
+
+
+def test_of_a_scheme_each_variant_speaks_at_its_finest_setting_whatever_the_order() -> None:
+    def run(label: str, variant: str, dt: float, value: float) -> Record:
+        facts = MeasurementFacts(2.0, 0.03, 0.04, "dry", "somebody", 0.1, "angle", 30.0)
+        seen = entry("pass", {}, judge="measured", value=value, kind="scalar", unit="N",
+                     measurement=facts)  # fmt: skip
+        return record(label, variant, dt, quantities=[seen])
+
+    runs = [run("b/b", "T2", 1e-3, 2.1), run("b/b", "T1", 1e-3, 2.2), run("a/z", "T1", 1e-3, 2.3),
+            run("a/z", "T1", 2e-3, 2.4), run("a/a", "T1", 2e-3, 2.5),
+            run("a/a", "T1", 1e-3, 2.6)]  # fmt: skip
+    found = agreements(manifest(*runs))
+    assert [(one.variant, one.label, one.points[0].computed) for one in found] == [
+        ("T1", "a/a", 2.6), ("T1", "a/z", 2.3), ("T1", "b/b", 2.2), ("T2", "b/b", 2.1)
+    ]  # fmt: skip
+    assert found[0].points == (
+        Compared("y", "N", 2.6, 2.0, math.hypot(0.03, 0.04), 0.1, True, "angle", 30.0),
+    )

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from tests.support.fabricated import changed, entry, record
+from tests.support.fabricated import changed, entry, record, requantified
 from vv.ask import Knobs
 from vv.insight.agreement import agreements
 from vv.records.job_record import Record
@@ -175,3 +175,32 @@ def test_a_reference_with_which_one_of_those_that_agree_does_is_not_disagreed_wi
     (agreement,) = agreements(records_of(wide))
     assert len(agreement.agreeing) == 3
     assert not agreement.alone
+
+
+def test_what_the_last_step_and_the_last_stiffness_changed_add_up() -> None:
+    rungs = {(1e7, 2e-3): 3.0, (1e8, 2e-3): 2.5, (1e8, 1e-3): 2.25}
+    own = [
+        changed(one, rung={"dt": dt, "kn": kn})
+        for (kn, dt), value in rungs.items()
+        for one in said("a/x", value)
+    ]
+    others = records_of({"b/x": AGREEING["b/x"], "c/x": AGREEING["c/x"]})
+    (agreement,) = agreements([*own, *others])
+    assert agreement.answers[0].error == pytest.approx(0.25 + 0.75)  # 2.5 - 2.25, 3.0 - 2.25
+
+
+def test_of_two_groups_of_one_size_that_of_the_least_errors_agrees() -> None:
+    # b agrees with both; a and c are 0.46 apart, and off by 0.28 and 0.165
+    answers = {"a/x": (1.28, 1.0), "b/x": (1.30, 1.28), "c/x": (1.295, 1.46)}
+    (agreement,) = agreements(records_of(answers))
+    assert [answer.label for answer in agreement.agreeing] == ["b/x", "c/x"]
+    assert "; a/x differs, 1;" in agreement.in_words()
+
+
+def test_rounding_is_that_of_the_largest_scale() -> None:
+    off = {name: (1.0 + k * 1e-10,) * 2 for k, name in enumerate(("a/x", "b/x", "c/x"))}
+    records = records_of(off)
+    (small,) = agreements(records)
+    assert small.in_words().endswith("no majority of 3 answers agrees")
+    (large,) = agreements([requantified(records[0], scale=1e3), *records[1:]])
+    assert len(large.agreeing) == 3

@@ -91,6 +91,21 @@ def test_outcomes_and_what_one_of_them_lacks_are_told_first() -> None:
     ]
 
 
+def test_changes_of_a_kind_are_told_largest_first() -> None:
+    errors = {"T1": (1e-4, 2e-4), "T2": (1e-4, 1e-2), "T3": (1e-4, 1e-5)}
+    one, other = (
+        [record("a/a", v, 1e-3, quantities=[entry("pass", {"max": own[k]})])
+         for v, own in errors.items()]
+        for k in (0, 1)
+    )  # fmt: skip
+    found = changes(manifest(*one), manifest(*other))
+    assert [(c.where.split()[0], c.text) for c in found] == [
+        ("bounce:T2", "0.0001 -> 0.01 (x 100)"),
+        ("bounce:T3", "0.0001 -> 1e-05 (x 0.1)"),
+        ("bounce:T1", "0.0001 -> 0.0002 (x 2)"),
+    ]
+
+
 def kept(store: Store, name: str, commit: str, records: list[Record], dirty: bool = False) -> None:
     utc = f"2025-01-{name}T00:00:00+00:00"
     circumstances = dataclasses.replace(NOWHERE, utc=utc, commit=commit, dirty=dirty)

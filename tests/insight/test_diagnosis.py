@@ -195,3 +195,25 @@ def test_an_error_grows_if_it_is_largest_at_the_end_and_above_its_mean_square(
     rows = [rung(dt, 1.0 * dt**2 * 1e6, errors={"l2": mean}, **parts) for dt in (2e-3, 1e-3)]
     found = [*diagnose(rows, TERMS)]
     assert [one.pattern for one in found] == ([Pattern.GROWTH] if grows else [])
+
+
+def test_errors_that_stay_are_told_from_the_longest_step_to_the_shortest() -> None:
+    falls = [rung(dt, error) for dt, error in zip(STEPS, (0.14, 0.13, 0.12, 0.11), strict=True)]
+    assert only(falls[::-1]).text == "it does not converge: error 0.14 to 0.11 as dt shrinks"
+
+
+def test_the_finest_step_says_which_factor_and_which_quantity_is_worst() -> None:
+    seen = [rung(dt, 1.0, kind="scalar", value=value, reference=2.0)
+            for dt, value in ((4e-3, 4.0), (1e-3, 1.0))]  # fmt: skip
+    assert only(seen).text == "y is half the exact answer: a term counts half"
+
+    def two(dt: float, p: float, q: float) -> Record:
+        errors = {"p": p, "q": q}
+        return record("a/a", "T2", dt, quantities=[
+            entry("fail", {"max": e}, name=name, tolerance=1e-5) for name, e in errors.items()
+        ])  # fmt: skip
+
+    # at the coarsest step p is worst, which falls; at the finest q, which does not
+    errors = zip(STEPS, (16.0, 4.0, 1.0, 0.25), (0.51, 0.52, 0.53, 0.54), strict=True)
+    told = only([two(dt, p, q) for dt, p, q in errors]).text
+    assert told == "it does not converge: error 0.51 to 0.54 as dt shrinks"

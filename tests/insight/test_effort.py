@@ -135,6 +135,29 @@ def test_an_external_code_that_cannot_get_there_is_told_from_one_that_was_not_le
         assert [(duel.ratio, duel.floored) for duel in found] == [(None, floored)] * 2
 
 
+def test_a_duel_says_that_theirs_may_be_cheaper_or_how_near_the_nearest_of_them_gets() -> None:
+    runs = [record("ours", row) for row in ((1e-2, None, 1e-2, 4.0), (1e-3, None, 1e-5, 40.0))]
+    runs += [record("theirs", row) for row in ((1e-2, None, 5e-3, 3.0), (1e-3, None, 7e-4, 30.0))]
+    runs += [record("theirs", (1e-2, None, 2e-3, 70.0), scheme="other")]
+    found = comparisons(efforts(manifest(*runs)), (6e-3, 3e-3, 1e-4))
+    free = [duel for duel in found if not duel.stepping]
+    assert [(duel.theirs, duel.loose, duel.least) for duel in free] == [
+        ("theirs/default", True, None),  # its coarsest is as accurate; ours lies between settings
+        ("theirs/default", False, None),
+        ("", False, 7e-4),
+    ]
+    # 4 (40/4)^s, s = ln(1e-2/6e-3)/ln(1e-2/1e-5), over 3
+    assert free[0].ratio == pytest.approx(4 / 3 * 10 ** (math.log(5 / 3) / math.log(1e3)))
+
+
+def test_a_profile_is_sorted_whatever_the_order_of_the_variants() -> None:
+    costs = {"a": (1.0, 5.0), "b": (1.0, 2.0), "c": (1.0, 3.0)}
+    rows = [record(code, (1e-3, None, 1e-4, cpu), variant)
+            for variant, own in costs.items()
+            for code, cpu in zip(("ours", "theirs"), own, strict=True)]  # fmt: skip
+    assert profile(efforts(manifest(*rows)), 1e-3)["theirs/default"] == [2.0, 3.0, 5.0]
+
+
 def test_a_share_is_of_the_variants_solved_within_each_factor() -> None:
     rows = [1.0, 1.0, FACTORS[-1], math.inf]
     assert shares(rows)[0] == 0.5

@@ -175,3 +175,20 @@ def test_a_limit_is_described_where_there_is_a_stiffness_and_by_what_is_known_of
     assert told(1e6, None) == "final value: the step's part 2.5e-03 at dt = 0.001, of order 2.00"
     assert "limit of small steps 1.0e-01 off the exact" in told(1e6, 0.9)
     assert "the model's part below" in told(1e6, 1.0)
+
+
+def test_a_floor_is_the_least_of_all_errors_and_named_at_the_stiffest_row_of_steps() -> None:
+    softest = [(h, 1e7, e, 1.0) for h, e in zip(STEPS, (1.3e-2, 1.25e-2, 1.24e-2), strict=True)]
+    soft = [(h, 1e8, e, 1.0) for h, e in zip(STEPS, (1.1e-2, 1.0e-2, 1.05e-2), strict=True)]
+    stiff: list[Row] = [(1e-4, 1e9, 1.02e-2, 1.0), (5e-5, 1e10, 1.03e-2, 1.0)]
+    floor = one([*softest, *soft, *stiff]).floor
+    assert floor
+    assert floor.error == 1.0e-2
+    assert floor.why.startswith("two refinements each of dt, at kn = 1e+08, and of kn")
+
+
+def test_the_least_error_of_all_that_was_spent_is_a_floor() -> None:
+    rows: list[Row] = [(1e-3, 1e7, 5e-3, 70.0), (1e-3, 1e8, 2e-3, 1.0), (1e-3, 1e9, 4e-3, 3.0)]
+    floor = one(rows).floor
+    assert floor
+    assert (floor.error, floor.why) == (2e-3, "70 s were spent")

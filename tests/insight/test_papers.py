@@ -1,5 +1,7 @@
 """Claims about statements of papers beside results: at which setting, and those that agree."""
 
+from collections.abc import Mapping
+
 from vv.ask import Knobs
 from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 from vv.insight.papers import Answer, Row, counted, rows
@@ -71,3 +73,22 @@ def test_numbers_have_the_power_of_ten_that_the_paper_prints_or_one_that_people_
         "2.1651e7",
     ]
     assert shown("1e-13") == "2.1651e7"
+
+
+def test_the_finest_setting_has_the_stiffest_springs_and_at_these_the_shortest_step() -> None:
+    found = {
+        "one a/x dt=0.00001,kn=100000000": result(4.0),
+        "one a/x dt=0.01,kn=1000000000": result(5.0),
+        "one a/x dt=0.001,kn=1000000000": result(6.0),
+        "one a/x dt=0.002,kn=1000000000": result(7.0),
+        "other a/x dt=0.0001,kn=10000000000": result(8.0),
+    }
+    assert answered(found, Computed("case", "one", "x")) == [("6", ("a/x",))]
+    assert answered(found, Computed("case", "one", "x", rung=Knobs(1e-5))) == [("4", ("a/x",))]
+    assert answered(found, Computed("case", "one", "x", times=1e3)) == [("6000", ("a/x",))]
+
+
+def answered(found: Mapping[str, AcceptedResult], seen: Computed) -> list[tuple[str, object]]:
+    one = Statement("Eq. 1", "what", "2", Assessment.REPRODUCED, "", "m", lambda: 2.0, (seen,))
+    (row,) = rows(Paper("A", "B", "", (one,)), lambda _: found)
+    return [(answer.text, answer.codes) for answer in row.answers]

@@ -10,10 +10,19 @@ from unittest import mock
 
 import pytest
 
-from tests.support.fabricated import manifest_of_all, requantified
+from tests.support.fabricated import (
+    NOWHERE,
+    changed,
+    entry,
+    manifest,
+    manifest_of_all,
+    record,
+    requantified,
+)
 from vv.case import Norm
 from vv.insight.history import history
 from vv.insight.past_runs import PastRuns, digest_of
+from vv.records.job_record import Record
 from vv.records.manifest import Manifest, Provenance
 from vv.store.manifests import Manifests
 from vv.store.store import Store
@@ -91,3 +100,40 @@ def test_figures_are_stored_of_records_that_are_stored_and_can_be_read(
     monkeypatch.setattr(PastRuns, "_records", lambda self, name, case: None if damaged else ())
     assert runs.digest("run", "bounce") == digest_of(())
     assert known == [digest_of(())] * kept
+
+
+def test_figures_of_unlike_variants_settings_and_quantities_are_kept_apart() -> None:
+    def one(variant: str, dt: float, errors: tuple[float, float], cost: list[float]) -> Record:
+        quantities = [entry("pass", {"max": error}, name=name, tolerance=1e-2)
+                      for name, error in zip("pq", errors, strict=True)]  # fmt: skip
+        made = record("a/x", variant, dt, quantities=quantities)
+        return changed(made, cost=changed(made.cost, relative=cost))
+
+    told = digest_of([
+        one("T1", 2e-3, (1e-3, 2e-3), [2.0, 8.0]), one("T1", 1e-3, (3e-3, 4e-3), [3.0, 12.0]),
+        one("T2", 1e-3, (5e-3, 6e-3), [4.0, 16.0]),
+    ])  # fmt: skip
+    places = [(v, dt, q) for v, dt in (("T1", "0.002"), ("T1", "0.001"), ("T2", "0.001"))
+              for q in "pq"]  # fmt: skip
+    near = zip(places, (0.1, 0.2, 0.3, 0.4, 0.5, 0.6), strict=True)
+    assert told.closeness == {
+        "a/x": {f"{v}\ndt={dt}\n{q}": pytest.approx(share) for (v, dt, q), share in near}
+    }
+    assert told.cost == {
+        "a/x": {f"{v}\ndt={dt}\ncost": pytest.approx(share)
+                for v, dt, share in (("T1", "0.002", 4.0), ("T1", "0.001", 6.0),
+                                     ("T2", "0.001", 8.0))}
+    }  # fmt: skip
+
+
+def test_a_history_that_was_kept_stands_beside_its_own_commits(tmp_path: Path) -> None:
+    store = Store(tmp_path / ".vv")
+    for day, error in (("1", 1e-3), ("2", 3e-3)):
+        judged = [entry("pass", {"max": error}, tolerance=1e-2)]
+        made = dataclasses.replace(NOWHERE, utc=f"day {day}", commit=day * 9, dirty=False)
+        store.manifests.keep(manifest(record("a/x", "T1", 1e-3, quantities=judged),
+                                      provenance=made, name=f"2025010{day}"))  # fmt: skip
+    for _ in ("computed", "kept"):
+        told = history(store, "bounce", print)
+        assert [(p.utc, p.name) for p in told] == [("day 1", "1" * 9), ("day 2", "2" * 9)]
+        assert [p.closeness["a/x"] for p in told] == pytest.approx([0.1, 0.3])

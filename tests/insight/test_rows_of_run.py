@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,14 +10,18 @@ from typing import Any
 import pytest
 
 from tests.conftest import tiny_project
-from tests.support.fabricated import changed, entry, manifest, record
+from tests.support.fabricated import changed, entry, manifest, record, some
+from vv.ask import Knobs
 from vv.case.published import Assessment, Computed, Paper, Statement
+from vv.gate import all_checks
 from vv.insight import papers
+from vv.insight import rows_of_run as rows_of_run_module
 from vv.insight.history import history
 from vv.insight.papers import Row
 from vv.insight.rows_of_run import rows_of_run
 from vv.plan.exact_numbers import with_exact_numbers
 from vv.plan.project import Project, find
+from vv.records.accepted import AcceptedQuantity, AcceptedResult
 from vv.store.store import Store
 
 SEEN = (Computed("bounce", "T1", "y"),)
@@ -102,3 +107,46 @@ def test_new_results_of_a_case_have_only_the_papers_about_it_read_anew(
         Store(project.data()).manifests.keep(whole)
         rows_of_run([one, other], project, whole)
     assert asked == ["one", "other", "one"]
+
+
+def test_an_answer_of_the_invocation_stands_in_place_of_the_accepted_one(
+    project: Project, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second statement is of a setting that was accepted, and did not run here."""
+    kept = {
+        f"T1 dem/default dt={dt}": AcceptedResult("1", None, {
+            "y": AcceptedQuantity(1e-4, 1.0, {"value": value})
+        })
+        for dt, value in (("0.001", 3.0), ("0.002", 4.0))
+    }  # fmt: skip
+    monkeypatch.setattr(all_checks, "baseline_of", lambda *_: some(results=kept))
+    value = entry("pass", {"max": 1e-4}, figures={"value": 2.0})
+    whole = manifest(record("dem/default", "T1", 1e-3, quantities=[value]))
+    statements = tuple(
+        Statement("Eq.", "what", "2", Assessment.OPEN, "open", "m", "none",
+                  (Computed("bounce", "T1", "y", rung=Knobs(dt)),))
+        for dt in (1e-3, 2e-3)
+    )  # fmt: skip
+    (rows,) = rows_of_run([Paper("A", "B", "", statements)], project, whole)
+    assert [[answer.text for answer in row.answers] for row in rows] == [["2"], ["4"]]
+
+
+def test_rows_that_are_kept_are_those_of_a_paper_and_of_its_sources(
+    project: Project, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = manifest(record("dem/default", "T1", 1e-3), name="01")
+    Store(project.data()).manifests.keep(whole)
+    one, other = (
+        Paper(
+            name, "", "", (Statement("Eq.", name, "2", Assessment.OPEN, "open", "m", "none", SEEN),)
+        )
+        for name in ("one", "other")
+    )
+    for _ in ("computed", "kept"):
+        assert [row.what for (row,) in rows_of_run([one, other], project, whole)] == [
+            "one", "other"
+        ]  # fmt: skip
+    edited = Paper("one", "", "", (dataclasses.replace(one.statements[0], what="edited"),))
+    monkeypatch.setattr(rows_of_run_module, "_sources", lambda _: "other sources")
+    ((row,),) = rows_of_run([edited], project, whole)
+    assert row.what == "edited"

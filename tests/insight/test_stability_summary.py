@@ -149,3 +149,20 @@ def test_a_point_of_a_map_is_as_bad_as_its_worst_quantity() -> None:
            for name, error in (("a", 0.1), ("b", 30.0))]  # fmt: skip
     told = only(changed(point(0.1, 1e4, 0.1), quantities=two), point(0.01, 1e4, 0.1))
     assert told.value == 0.5
+
+
+def test_limits_bounds_and_what_is_due_are_those_of_the_finest_setting() -> None:
+    def at(kn: float, one: Record, **parts: object) -> Record:
+        quantities = [changed(quantity, **parts) for quantity in one.quantities]
+        return changed(one, rung={"dt": 1e-3, "kn": kn}, quantities=quantities)
+
+    limits = [at(kn, sought("pass", value), reference=due)
+              for kn, value, due in ((1e8, 0.75, 1.5), (1e7, 0.5, 1.25))]  # fmt: skip
+    told = only(*limits)
+    assert (told.value, told.due) == (0.75, 1.5)
+    assert told.text.startswith("what is seen: 0.75, as due")
+    drifts = [at(kn, kept(1.0), errors={"max": error}, tolerance=bound)
+              for kn, error, bound in ((1e8, 2e-9, 5e-8), (1e7, 3e-9, 4e-6))]  # fmt: skip
+    told = only(*drifts)
+    assert (told.value, told.due) == (3e-9, 5e-8)
+    assert told.text == "what is seen: kept to 3e-09 of its scale, 5e-08 allowed"

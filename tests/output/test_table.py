@@ -10,9 +10,11 @@ import pytest
 
 import vv
 from tests.conftest import Tiny
-from tests.support.fabricated import manifest_of_all
+from tests.support.fabricated import entry, manifest_of_all, record
 from vv.base.errors import UsageError
-from vv.output.table import table
+from vv.output.table import rows, table
+from vv.records.job_record import JobCost
+from vv.records.outcomes import CostKind
 from vv.store.store import Store
 
 ASKED = ("case", "variant", "code", "scheme", "dt", "kn", "status", "verdict", "quantity", "error",
@@ -28,6 +30,46 @@ def test_there_is_a_row_for_each_quantity_and_one_for_what_gave_none(tmp_path: P
     assert sorted(fine.verdict) == ["pass", "xfail"]
     assert (found[found.status == "refused"].quantity.isna()).all()
     assert set(found[found.outcome == "not conserved"].scheme) == {"j"}
+
+
+COST = JobCost(1.5, 2.5, 3.5, 4.5, 5.5, repeats=7, spread=0.25, kind=CostKind.TIMED)
+SERIES = entry(
+    "xfail", {"max": 0.3, "l2": 0.4}, name="p", unit="N", norm="l2", tolerance=0.6, scale=0.7,
+    end=8.0, figures={"final": 9.0, "mean": 10.0}, note="late",
+)  # fmt: skip
+NUMBER = entry(
+    "fail", {"max": 0.11, "final": 0.12}, name="E", unit="J", kind="scalar", norm="final",
+    value=13.0, reference=14.0, end=15.0, figures={"final": 16.0, "value": 17.0}, tolerance=0.18,
+    scale=19.0,
+)  # fmt: skip
+
+
+def test_each_column_has_the_number_of_its_own_field() -> None:
+    """No two numbers are alike, so that a field in the place of another shows."""
+    one = record(
+        "a/b", "T1", None, rung={"dt": 2e-3, "kn": 3e8}, study="grid", steps=21, cost=COST,
+        modified=True, quantities=[SERIES, NUMBER], reason="so it is", method="penalty",
+    )  # fmt: skip
+    shared = {
+        "case": "bounce", "variant": "T1", "study": "grid", "modified": True, "code": "a",
+        "scheme": "b", "code_version": "1.2", "method": "penalty", "dt": 2e-3, "kn": 3e8,
+        "status": "ran", "outcome": "fail", "reason": "so it is", "steps": 21,
+        "cost_kind": "timed", "solve_cpu": 3.5, "solve_wall": 4.5, "startup": 1.5, "setup": 2.5,
+        "output": 5.5, "repeats": 7, "spread": 0.25,
+    }  # fmt: skip
+    series = {
+        "quantity": "p", "kind": "series", "unit": "N", "value": 9.0, "reference": 8.0,
+        "error": 0.4, "norm": "l2", "tolerance": 0.6, "verdict": "xfail", "note": "late",
+    }  # fmt: skip
+    number = {
+        "quantity": "E", "kind": "scalar", "unit": "J", "value": 13.0, "reference": 14.0,
+        "error": 0.12, "norm": "final", "tolerance": 0.18, "verdict": "fail", "note": "",
+    }  # fmt: skip
+    assert [*rows(one)] == [{**shared, **series}, {**shared, **number}]
+    bare = record("a/b", "T1", 2e-3, cost=COST)
+    (row,) = rows(bare)
+    assert {row[name] for name in series} == {None}
+    assert (row["outcome"], row["kn"], row["study"]) == ("not reported", None, "ladder")
 
 
 def test_no_records_are_a_table_without_rows() -> None:

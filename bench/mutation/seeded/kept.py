@@ -38,4 +38,6 @@ BUGS = (
     Bug("the last timing session by its name", STORE, "sorted(found, key=lambda path: path.lstat().st_mtime_ns)", "sorted(found)", tests="tests/store/test_parts.py"),
     Bug("a timing session of any machine", "vv/run/timing_phase.py", "place.timer().fingerprint, REPEAT", "REPEAT", tests="tests/run/test_timing_phase.py"),
     Bug("a change of a record that keeps its size unseen", STORE, "for n in (s.st_size, s.st_mtime_ns, s.st_ctime_ns))", "for n in (s.st_size,))", tests="tests/store/test_parts.py"),
+    Bug("rows of a paper kept under those of another", "vv/insight/rows_of_run.py", "        paper.name,\n", "", tests="tests/insight/test_rows_of_run.py"),
+    Bug("rows of a paper kept though it was edited", "vv/insight/rows_of_run.py", "        sources,\n        closure", "        closure", tests="tests/insight/test_rows_of_run.py"),
 )  # fmt: skip
