@@ -108,6 +108,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     rungs = tuple(Knobs(dt=dt) for dt in STEPS)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
     if variant == "booked":
+        _require_closed(scene, p)
         return Trial(
             Ladder(scene, EVERY, moved, levels, energies=(*HELD, LOST)),
             _reported_energies(scene, p),
@@ -167,6 +168,21 @@ def _excess_bounds(p: Parameters) -> Exact:
     return Exact(dict.fromkeys(BOTH, second))
 
 
+def _require_closed(scene: Scene, p: Parameters) -> None:
+    """Refuse a sheet in which contacts open, since their energy depends on when in a step they do.
+
+    A sphere moves by v/w against a spring kn, w^2 = kn/m; two that part do so by little more, as
+    each has several springs.
+    """
+    least = float(np.concatenate(_overlaps(scene, scene.spheres.position[None]), axis=1).min())
+    moved = p["v"] / np.sqrt(p["kn"] / p["m"])
+    if not moved <= OPENS * least:
+        raise ValueError(
+            f"v = {p['v']!r} m/s; contacts open, by about v/sqrt(kn/m) = {moved:.3g} m: the least "
+            f"overlap at rest must be {1 / OPENS:g} times as large at least, and is {least:.3g} m"
+        )
+
+
 def _reported_energies(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
     """All energy, as the code reports it: friction only dissipates, so no loss hides a gain."""
     initial = _initial_energy(scene, p)
@@ -175,7 +191,7 @@ def _reported_energies(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
             "gained", "max(E(t) - E(s))", "J",
             "largest increase, since any earlier time s, of all stored energy",
             lambda run: _rise(sum((run.energies[form] for form in HELD), np.zeros(1))),
-            0.0, initial, GAINS,
+            0.0, initial, _gain_bounds(p),
         ),
         Scalar(
             "returned", "max(Q(s) - Q(t))", "J",
@@ -183,6 +199,24 @@ def _reported_energies(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
             lambda run: _rise(-run.energies[LOST]), 0.0, initial, NOTHING,
         ),
     )  # fmt: skip
+
+
+def _gain_bounds(p: Parameters) -> Exact:
+    """The part of a leapfrog's oscillation of energy, see `_excess_bounds`, that it does not count.
+
+    The energy counted, m v- v+/2 plus that of springs, is constant for constant springs. Normals
+    rotate by up to v/w over the distance 2 r of centres, w^2 = kn/m, and change them by as much.
+    """
+    w = np.sqrt(p["kn"] / p["m"])
+    value = float(6.0 * (w * STEPS[0]) ** 2 / 8 * p["v"] / w / (2.0 * RADIUS))
+    why = (
+        "no contact opens, and a leapfrog conserves m v- v+/2 plus the energy of closed springs, "
+        "except that normals rotate, by v/(2 r w) in an oscillation: this part of (w dt)^2/8"
+    )
+    return Exact({
+        method: Tolerance(min(max(value, 1e-12), LARGEST_TOLERANCE), why, dt=STEPS[0], order=order)
+        for method, order in ((Method.SECOND_ORDER, 2), (Method.FIRST_ORDER, 1))
+    })  # fmt: skip
 
 
 def _initial_energy(scene: Scene, p: Parameters) -> float:
@@ -201,13 +235,27 @@ def _observed_energy(scene: Scene, run: Run) -> Vector:
     bodies = range(FIRST, FIRST + len(spheres))
     u = np.stack([run.values[Displacement(body)] for body in bodies], axis=1)
     v = np.stack([run.values[Velocity(body)] for body in bodies], axis=1)
-    x, (i, j) = spheres.position + u, np.triu_indices(len(spheres), 1)
-    reach = spheres.radius[i] + spheres.radius[j]
-    overlaps = [reach - np.linalg.norm(x[:, j] - x[:, i], axis=2)]
-    overlaps += [spheres.radius - (x - wall.point) @ wall.normal for wall in scene.walls]
+    overlaps = _overlaps(scene, spheres.position + u)
     springs = 0.5 * law.kn * sum((np.maximum(o, 0.0) ** 2).sum(axis=1) for o in overlaps)
     motion = 0.5 * (spheres.mass * (v**2).sum(axis=2)).sum(axis=1)
     return np.asarray(motion + springs - u @ scene.gravity @ spheres.mass)
+
+
+def _overlaps(scene: Scene, x: Vector) -> list[Vector]:
+    """Overlaps [m] of neighbours in the sheet, and with each wall, (k, pairs) at centres (k, n, 3).
+
+    Neighbours are at most a tenth of a radius apart at t = 0.
+    """
+    spheres, (i, j) = scene.spheres, np.triu_indices(len(scene.spheres), 1)
+    reach = spheres.radius[i] + spheres.radius[j]
+    start = spheres.position
+    near = reach - np.linalg.norm(start[j] - start[i], axis=1) > -0.1 * RADIUS
+    i, j, reach = i[near], j[near], reach[near]
+    found = [reach - np.linalg.norm(x[:, j] - x[:, i], axis=2)]
+    for wall in scene.walls:
+        beside = spheres.radius - (start - wall.point) @ wall.normal > -0.1 * RADIUS
+        found.append(spheres.radius[beside] - (x[:, beside] - wall.point) @ wall.normal)
+    return found
 
 
 def _oscillation_bounds(unit: float) -> Exact:
@@ -251,21 +299,14 @@ ELSEWHERE = (
     "variant `booked` judge at any parameters"
 )
 STICKS = "while friction holds the sphere its motion is that of the shear springs alone"
-GAINS = Exact({
-    method: Tolerance(
-        1e-8,
-        "no contact opens, and a leapfrog conserves m v- v+/2 plus the energy of closed springs, "
-        "except that normals rotate, by 1e-4 rad in an oscillation",
-        dt=STEPS[0], order=order,
-    )
-    for method, order in ((Method.SECOND_ORDER, 2), (Method.FIRST_ORDER, 1))
-})  # fmt: skip
+OPENS = 0.8  # v/w over the least overlap: at 0.95 a contact opened in one of 107 sheets drawn
 NOTHING = Exact(dict.fromkeys(BOTH, Tolerance(
     1e-12, "friction dissipates a positive amount or nothing in each step: only rounding is left"
 )))  # fmt: skip
 LEFT = Shown(
     "the energy dissipated depends on every single slip; codes may be compared with each other"
 )
+GENTLE = 1.5e-3  # m/s: 0.65 of the overlap of the weakest contact; friction takes a quarter
 HELD_BY = HOLDS * 1.3 * 9.81 / (0.3 * 1e6 * RADIUS)  # of the radius: mu N = HOLDS m g
 STEADY = dict.fromkeys(
     ("n", "rows", "m", "kn", "ks", "mu", "g", "squeeze"),
@@ -311,8 +352,9 @@ CASE = Case(
         ),
         Variant(
             "booked",
-            "the same, judged by the energies that the code reports, with spins and shear springs",
-            f"{KNOCKED}; Q(t) >= Q(s), Q the energy dissipated by friction", {"v": 0.02},
+            "the same, so gently that contacts slip and none opens, judged by the energies that "
+            "the code reports, with spins and shear springs",
+            f"{KNOCKED}; Q(t) >= Q(s), Q the energy dissipated by friction", {"v": GENTLE},
             unseen=LOST_ONLY,
         ),
     ),

@@ -11,6 +11,9 @@ from vv.records.record import measured
 
 RIGHT = {
     "failure-modes:3d-40 phi=37.4 alpha=12.5": "rigid/default",
+    "wedge:xi-1e-06 xi=1.73e-6 held=0.378 g=6.11": "rigid/default",
+    "resting:booked n=8 rows=6 m=0.901 kn=1.1e6 ks=9.77e5 mu=0.327 g=13.1": "dem/default",
+    "resting:booked n=4 rows=6 m=1.62 kn=1.37e6 ks=5.76e5 mu=0.296 v=7e-4": "dem/published",
     "knife-edge:topples crossing=31 mu=2.19 duration=0.178": "dda/default",
     "knife-edge:topples g=19.1 duration=0.259": "dda/default",
     "painleve:mu-0.8 half=2.23 g=20.8 m=262": "dda/default",
@@ -66,3 +69,10 @@ def test_a_column_whose_free_oscillation_remains_is_refused(given: dict[str, flo
     case.declare("five-layers", {**usual, "duration": 12.0})
     with pytest.raises(ValueError, match="free oscillation dies out in"):
         case.declare("five-layers", {**usual, **given})
+
+
+@pytest.mark.parametrize("given", [{"v": 0.02}, {"squeeze": 8e-5}, {"g": 20.5, "kn": 5e5}])
+def test_a_sheet_whose_contacts_open_is_refused(given: dict[str, float]) -> None:
+    case = PROJECT.load_case("resting")
+    with pytest.raises(ValueError, match=r"contacts open, by about v/sqrt\(kn/m\)"):
+        case.declare("booked", {**case.defaults("booked"), **given})

@@ -116,8 +116,8 @@ def polish(
     """Improve p (c, 3), whose effect is in v, w, by Newton rounds; return the residual [m/s].
 
     left: the residual at the start; place: see `band_ordering`; stiffness: of the first round. A
-    round that does not reduce the residual is undone, and the next one is less stiff, unless what
-    is left is rounding: stiffer rounds then still improve impulses in a narrow groove.
+    round that increases the residual by more than rounding is undone, and the next one is less
+    stiff. In a narrow groove the first rounds change less than rounding, and stiffer ones solve it.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     rounding = 0.0
@@ -134,7 +134,7 @@ def polish(
         for c in range(len(p)):
             apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)
-        if met and (now < left or now <= rounding):
+        if met and now < left + rounding:
             left, stiffness = now, 10.0 * stiffness
         else:
             copy_rows(p, before)

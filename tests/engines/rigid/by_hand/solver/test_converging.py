@@ -104,8 +104,8 @@ def test_rounds_end_where_contacts_are_soft_or_are_too_many(
     assert not told.stiff
 
 
-@pytest.mark.parametrize(("part", "kept"), [(0.9, True), (1.1, False)])
-def test_a_round_that_leaves_rounding_is_kept(
+@pytest.mark.parametrize(("part", "kept"), [(1.9, True), (2.1, False)])
+def test_a_round_that_adds_no_more_than_rounding_is_kept(
     monkeypatch: pytest.MonkeyPatch, part: float, kept: bool
 ) -> None:
     """Rounding is that of the velocity by the largest impulse, of 1e11 N s at 3 per kg."""
