@@ -30,7 +30,7 @@ Function = Callable[[float], float]
 Number = TypeVar("Number", float, Array)
 
 _TURN = 2.0 * pi
-_MOST = 10000  # cycles: about a second of calculation
+_MOST = 50_000  # cycles: a few seconds of calculation
 _SNAP = 1e-9  # [rad]: tolerance on a zero of the drive; a slip this short has no displacement
 _TOUCH = 1e-14  # of q/omega: a minimum of the speed that is 0 within rounding
 _S_SERIES = tuple((-1.0) ** j / factorial(2 * j + 3) for j in range(9))
