@@ -244,3 +244,12 @@ def test_what_an_invocation_found_besides_its_records_is_judged_too() -> None:
     assert judgement(whole) == [lost]
     assert bits(judgement(whole)) == Bit.ACCURACY
     assert judgement(manifest(of())) == []
+
+
+def test_each_broken_law_has_its_own_numbers() -> None:
+    terms = {LOSS: -3.0, "viscous dissipation": -0.5, "kinetic energy": -4.0}
+    audits = {"a [N]": (7.0, 6.0), "b [m]": (1.0, 2.0), "c": (9.0, 8.0)}
+    assert [*breaches(Ledger(terms, 5.0, 11.0, 1.0, audits))] == [
+        (UNEXPLAINED, 5.0, 1.0), (f"negative {LOSS} [J]", 3.0, 1.0), ("a [N]", 7.0, 6.0),
+        ("c", 9.0, 8.0),
+    ]  # fmt: skip

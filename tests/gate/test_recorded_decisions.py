@@ -13,7 +13,7 @@ from tests.support.fabricated import changed, entry, record
 from vv.gate import answers, recorded
 from vv.records.accepted import Place
 from vv.records.job_record import Record
-from vv.records.recorded import RecordedFile
+from vv.records.recorded import RecordedFile, RecordedQuantity
 
 TODAY = datetime.date(2027, 1, 1)
 
@@ -112,3 +112,38 @@ def test_seconds_on_record_are_by_case_variant_scheme_and_rung(tmp_path: Path) -
         ("bounce", "T2", "yade/default", ""): 1e-4,
     }
     assert recorded.seconds_recorded(tmp_path, "yade", "fall") == {}
+
+
+def test_a_recorded_result_has_the_numbers_on_record_and_none_of_the_one_that_is_asked(
+    tmp_path: Path,
+) -> None:
+    """The finest step stands first, and no two numbers are alike."""
+
+    def made(dt: float, cpu: float, final: float, **changes: Any) -> Record:
+        errors = {"max": 7 * dt, "l2": 5 * dt}
+        quantity = entry("pass", errors, figures={"final": final})
+        own = record("yade/default", "T1", dt, quantities=[quantity], code_version="9.9")
+        return changed(own, cost=changed(own.cost, solve_cpu=cpu, solve_wall=9 * cpu), **changes)
+
+    def line(_: str) -> dict[str, np.ndarray]:
+        t = np.linspace(0.0, 1.0, 5)
+        return {"t": t, "y.value": 3.0 + t, "y.reference": 8.0 + t}
+
+    runs = [made(1e-3, 0.25, 4.0), made(2e-3, 0.125, 5.0)]
+    recorded.write_recorded(tmp_path, runs, line, {"yade": recorded_file()})
+    asked = [made(dt, 99.0, 98.0, status="not-installed") for dt in (2e-3, 1e-3)]
+    coarse, fine = recorded.shown(tmp_path, asked, TODAY)
+    assert [(one.knobs, one.rung.dt, one.cpu, one.version, one.utc) for one in (coarse, fine)] == [
+        ("dt=0.002", 2e-3, 0.125, "2.0", recorded_file().utc),
+        ("dt=0.001", 1e-3, 0.25, "2.0", recorded_file().utc),
+    ]
+    assert coarse.quantities == {
+        "y": RecordedQuantity({"final": 5.0, "max error": 0.014, "l2 error": 0.01})
+    }
+    assert fine.quantities == {
+        "y": RecordedQuantity(
+            {"final": 4.0, "max error": 0.007, "l2 error": 0.005},
+            (0.0, 0.25, 0.5, 0.75, 1.0),
+            (3.0, 3.25, 3.5, 3.75, 4.0),
+        )
+    }

@@ -1,6 +1,7 @@
 """How speed is compared: what was timed, of which case, and by what factor it changed."""
 
 import signal
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -83,3 +84,25 @@ def test_the_calibration_kernel_takes_the_least_of_a_few(monkeypatch: pytest.Mon
     clock = iter([10.0, 15.0, 20.0, 22.0, 30.0, 33.0, 40.0, 44.0, 50.0, 56.0])
     monkeypatch.setattr("vv.gate.speed.time.process_time", lambda: next(clock))
     assert speed.calibration() == 2.0
+
+
+def test_a_change_is_told_with_both_intervals_and_by_the_processor_of_its_acceptance() -> None:
+    """Results of T1 were accepted on P, those of T2 later on Q; this is P."""
+    elsewhere = replace(ACCEPTANCE, machine=Place("Q", "S"))
+    old = baseline((1.0, 2.0))
+    both = acceptance.accepted(
+        "bounce", old, [timed((1.0, 2.0)), timed((1.25, 2.25), variant="T2")], elsewhere, ()
+    )
+    assert {name: one.by for name, one in both.results.items()} == {
+        "T1 dem/default dt=0.001": "1", "T2 dem/default dt=0.001": "2"
+    }  # fmt: skip
+    (found,) = compared(timed((8.0, 9.0)), both)
+    assert found.text == (
+        "solve takes 8 to 9 calibration kernels, accepted 1 to 2; factor 1.5 allowed on the same "
+        "processor"
+    )
+    (found,) = compared(timed((8.0, 9.0), variant="T2"), both)
+    assert found.text == (
+        "solve takes 8 to 9 calibration kernels, accepted 1.25 to 2.25; factor 3 allowed on "
+        "another processor"
+    )

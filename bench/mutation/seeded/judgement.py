@@ -57,4 +57,12 @@ BUGS = (
     Bug("a stored record without its quantities is used", "vv/run/answering.py", "if [one.name for one in summary.quantities] == due:", "if due is not None:", tests="tests/store/test_damage.py::test_a_record_that_leaves_a_quantity_out_is_made_again"),
     Bug("a value of the other sign has not moved", REGRESSION, "[abs(a - b) for a, b in pairs", "[abs(abs(a) - abs(b)) for a, b in pairs", tests="tests/gate/test_decisions.py"),
     Bug("an acceptance takes the number of another", "vv/gate/acceptance.py", "str(1 + max(map(int, old.acceptances), default=0))", "str(1 + len(old.acceptances))", tests="tests/gate/test_acceptance.py"),
+    Bug("a known breach of any scheme", "vv/gate/known_breaches.py", "(record.scheme, self.schemes)", '(record.scheme, "*")', tests="tests/gate/known/test_breaches.py"),
+    Bug("a law kept at other parameters is news", "vv/gate/known_breaches.py", "record.modified or not entry.breach or not", "not entry.breach or not", tests="tests/gate/known/test_breaches.py"),
+    Bug("what dissipation gave told with its sign", JUDGEMENT, 'yield f"negative {name} [J]", -value', 'yield f"negative {name} [J]", value', tests="tests/gate/test_judgement.py"),
+    Bug("speed by the processor of another acceptance", "vv/gate/speed.py", "baseline.acceptances[then.by]", "baseline.acceptances[max(baseline.acceptances)]", tests="tests/gate/test_speed.py"),
+    Bug("a new cost is never accepted", "vv/gate/acceptance.py", "new.cost or before.cost", "before.cost or new.cost", tests="tests/gate/test_acceptance.py"),
+    Bug("accepted results beside parameters of old", "vv/gate/acceptance.py", "parameters = {**old.parameters, **{r.variant: r.parameters for r in given if not r.modified}}", "parameters = {**{r.variant: r.parameters for r in given if not r.modified}, **old.parameters}", tests="tests/gate/test_acceptance.py"),
+    Bug("accepted results beside parameters of a user", "vv/gate/acceptance.py", "r.parameters for r in given if not r.modified", "r.parameters for r in given", tests="tests/gate/test_acceptance.py"),
+    Bug("days since an expiry are negative", EXPIRY, "expired {-days} days ago", "expired {days} days ago", tests="tests/gate/known/test_breaches.py"),
 )  # fmt: skip

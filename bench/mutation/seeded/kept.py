@@ -40,4 +40,8 @@ BUGS = (
     Bug("a change of a record that keeps its size unseen", STORE, "for n in (s.st_size, s.st_mtime_ns, s.st_ctime_ns))", "for n in (s.st_size,))", tests="tests/store/test_parts.py"),
     Bug("rows of a paper kept under those of another", "vv/insight/rows_of_run.py", "        paper.name,\n", "", tests="tests/insight/test_rows_of_run.py"),
     Bug("rows of a paper kept though it was edited", "vv/insight/rows_of_run.py", "        sources,\n        closure", "        closure", tests="tests/insight/test_rows_of_run.py"),
+    Bug("the least of a cost kept as its largest", "vv/gate/baseline.py", 'float(f"{relative[1]:.3g}")', 'float(f"{relative[0]:.3g}")', tests="tests/gate/test_acceptance.py"),
+    Bug("the last written is recorded as the finest", "vv/gate/recorded.py", "for r in sorted(pile, key=by_fineness)}", "for r in pile}", tests="tests/gate/test_recorded_decisions.py"),
+    Bug("times and values recorded in each other's place", "vv/gate/recorded.py", 'tuple(map(_few, arrays["t"][chosen])), tuple(map(_few, y[chosen]))', 'tuple(map(_few, y[chosen])), tuple(map(_few, arrays["t"][chosen]))', tests="tests/gate/test_recorded_decisions.py"),
+    Bug("a recorded cost is that of what did not run", "vv/gate/recorded.py", "cpu=result.cpu", "cpu=record.cost.solve_cpu", tests="tests/gate/test_recorded_decisions.py"),
 )  # fmt: skip

@@ -190,3 +190,28 @@ def test_no_breach_at_other_parameters_is_excused_in_all_cases() -> None:
     excused = [one for one in found if "elsewhere" in one]
     assert excused
     assert not [one["reason"] for one in excused if one["case"] == "*"]
+
+
+def test_an_entry_speaks_of_its_own_schemes_and_says_what_it_expected() -> None:
+    assert judged(broken(), schemes="defaul?")[0] is Outcome.XFAIL
+    assert judged(broken(), schemes="other") == (Outcome.NOT_CONSERVED, True)
+    (news,) = known_breaches.not_broken([broken(0.009)], [KnownBreach(**KNOWN)], TODAY)
+    assert news.text == "penetration * should be 0.012 to 0.014: soft springs"
+    assert news.where == "bounce:T1 dem/default dt=0.001"
+
+
+def test_a_law_that_is_kept_at_other_parameters_is_no_news_of_a_band_for_the_case_s_own() -> None:
+    assert judged(broken(0.009, modified=True), elsewhere=3.0) == (Outcome.PASS, False)
+
+
+@pytest.mark.parametrize(
+    ("expires", "said"),
+    [("2026-12-22", "expired 10 days ago"), ("2027-01-08", "expires in 7 days")],
+)
+def test_an_entry_says_for_how_long_it_holds_or_since_when_it_does_not(
+    expires: str, said: str
+) -> None:
+    known = [KnownBreach(**{**KNOWN, "expires": expires})]
+    (found,) = known_breaches.expiry_findings([broken()], known, TODAY)
+    assert found.text == f"the known breach 'soft springs' {said}: renew or remove it"
+    assert (found.where, found.quantity) == ("bounce:T1 dem/* penetration *", "penetration *")
