@@ -184,3 +184,20 @@ def test_a_change_is_told_with_what_would_be_none_beside_it() -> None:
     of_all = Finding(Aspect.RUN, "missing", "no code is there", bit=Bit.INCOMPLETE)
     (whole,) = troubles(book(variants=""), [of_all])
     assert (whole.where, whole.link, whole.text, whole.bound) == ("all", "", "No code is there", "")
+
+
+def test_a_row_has_the_range_of_numbers_in_any_order_and_counts_of_unlike_size() -> None:
+    told = ["v = 1.5 of 7.25", "v = 0.5 of 7.25", "v = 2.5 of 7.25"]
+    (one,) = findings(book(*(blown("a/a", "T1", 1e-3, why) for why in told)), [LOOK])
+    assert one.text == "v = 0.5 to 2.5 of 7.25"
+    made = book(*((record("a/a", variant, 1e-3, status="refused", reason=why), Outcome.REFUSED)
+                  for variant, why in (("T1", "x"), ("T2", "x"), ("T3", "y"))))  # fmt: skip
+    assert refused(made) == [("a", 3, 2)]
+
+
+def test_the_other_places_of_a_trouble_are_those_besides_its_worst() -> None:
+    every = [found("off", variant="T2", size=9.0, rung="dt=1"), found("off", size=5.0),
+             found("off", variant="T2", size=3.0, rung="dt=2"), found("off", size=2.0)]  # fmt: skip
+    (one,) = troubles(book(variants=""), every)
+    assert (one.where, one.count, one.setting) == ("bounce:T2", 4, "dt=1")
+    assert one.others == [("#bounce-T1", "T1")]

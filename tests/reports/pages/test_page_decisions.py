@@ -8,12 +8,15 @@ import pytest
 
 import reports.pages.case as case_page
 import reports.pages.code as code_page
+import reports.pages.papers as papers_page
 from reports import environment
 from reports.marks import marks
 from reports.outcomes import OUTCOMES
 from reports.pages import troubles
 from tests.support.fabricated import case, changed, entry, record, some
+from vv.case.published import Assessment
 from vv.gate.judgement import breaches
+from vv.insight.papers import Answer
 from vv.records.finding import Aspect
 from vv.records.outcomes import Outcome
 
@@ -123,3 +126,43 @@ def test_quantities_that_are_judged_alike_stand_together() -> None:
             ((2e-3, 0.5), (1e-3, 0.25))]  # fmt: skip
     runs.append(record("b/b", "T1", None, quantities=[entry("pass", {"pointwise": 0.125})]))
     assert case_page._pointwise(runs, 2e-3) == {"a/a": 0.5, "b/b": 0.125}
+
+
+def test_of_several_broken_laws_each_is_told_by_its_own_numbers() -> None:
+    audits = {"penetration [m]": (0.25, 0.125), "residual of contact [N]": (7.0, 6.0)}
+    energy = {"terms": {}, "unaccounted": 2.0, "peak": 9.0, "bound": 1.0, "audits": audits}
+    one = record("a/a", "T1", 1e-3, ledger=energy)
+    told = [troubles._text(some(check=Aspect.CONSERVATION, kind=law, text="", quantity=""), one)
+            for law, *_ in breaches(one.ledger)]  # fmt: skip
+    assert told == [
+        "Energy not accounted for: 2 J, allowed 1 J",
+        "Bodies penetrate each other: by 0.25 m, allowed 0.125 m",
+        "Contact not converged: residual 7 N, allowed 6 N",
+    ]
+
+
+def test_the_source_is_compared_by_the_first_quantity_in_its_own_norm() -> None:
+    errors = {"max": 0.5, "pointwise": 0.25, "final": 0.125}
+    other = {name: 9.0 * error for name, error in errors.items()}
+    runs = [record("a/a", "T1", 1e-3, quantities=[entry("pass", errors),
+                                                  entry("pass", other, name="z")])]  # fmt: skip
+    assert case_page._pointwise(runs, 1e-3) == {"a/a": 0.25}
+
+
+def test_statements_of_papers_are_counted_and_shown_with_who_is_known_here() -> None:
+    kinds = [*Assessment, Assessment.DIFFERS]
+    answer = Answer("bounce:T1", "2.5", ("a/a", "c/c"))
+    rows = [some(assessment=one, answers=(answer,)) for one in kinds]
+    book: Any = some(
+        beside=some(papers=[(some(name="A"), rows)]), records={("bounce", "T1"): {}},
+        marks=marks(["a/a"]), to_case=lambda *names: "-".join(names),
+    )  # fmt: skip
+    (part,) = papers_page.papers(book)
+    assert part.counts == {one: 1 + (one is Assessment.DIFFERS) for one in Assessment}
+    assert {row.row.assessment: row.look for row in part.rows} == {
+        Assessment.REPRODUCED: "good", Assessment.DIFFERS: "bad", Assessment.MISPRINT: "known",
+        Assessment.WRONG: "odd", Assessment.OPEN: "idle",
+    }  # fmt: skip
+    (given,) = part.rows[0].given
+    assert (given.link, given.text) == ("bounce-T1", "2.5")
+    assert ([mark.label for mark in given.marks], given.others) == (["a/a"], ["c/c"])

@@ -147,3 +147,23 @@ def test_a_scheme_is_ranked_by_its_finest_result_and_explained_by_its_worst() ->
     assert one.worst_setting in ("dt = 0.004 s", "dt = 0.0005 s")
     (lost,) = ranked({"a/a": [none]}, LOOKS)
     assert (lost.error, lost.tolerance, lost.order, lost.quantity) == (None, None, None, "")
+
+
+def test_a_row_has_the_model_the_balance_and_the_cost_of_its_finest_setting() -> None:
+    def run(dt: float, k: int, verdict: str) -> Record:
+        ledger = {"terms": {}, "unaccounted": 2.0 * k, "peak": 9.0, "bound": 7.0 * k, "audits": {}}
+        spent = dataclasses.replace(cost(cpu=3.0 * k), solve_wall=5.0 * k, whole=k == 1)
+        model = {"unknowns": 11 * k, "terms": [], "note": f"note {k}"}
+        return changed(ran("a/a", dt, error=0.1 * k, verdict=verdict, note=f"why {k}", cost=spent),
+                       ledger=ledger, model=model)  # fmt: skip
+
+    (one,) = ranked({"a/a": [run(4e-3, 3, "fail"), run(2e-3, 2, "xfail"), run(1e-3, 1, "pass")]},
+                    LOOKS)  # fmt: skip
+    assert (one.unknowns, one.model and one.model.note) == (11, "note 1")
+    assert (one.balance, one.cpu, one.whole) == ("off 2 J of 7 J", 3.0, True)
+    assert (one.setting, one.worst_setting) == ("dt = 0.001 s", "dt = 0.004 s")
+    assert one.command == "vv run bounce:T1 --codes a/a --rung dt=0.004"
+    assert one.why.endswith("why 3")
+    assert [(came.word, count) for came, count in one.outcomes] == [
+        ("fail", 1), ("known disagreement", 1), ("pass", 1)
+    ]  # fmt: skip

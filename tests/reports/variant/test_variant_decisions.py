@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import pytest
 
 from reports.marks import marks
 from reports.outcomes import OUTCOMES
-from reports.variant import absences, inputs, measurements, models, ranking, settings
-from reports.variant.reading import TARGET
+from reports.variant import (
+    absences,
+    inputs,
+    measurements,
+    models,
+    other_codes,
+    ranking,
+    settings,
+)
+from reports.variant.reading import TARGET, judged_error
 from reports.variant.region_figures import region_figures
 from tests.support.fabricated import case, changed, cost, entry, record, some
 from vv.case import RegionMap
+from vv.insight.against_measurements import Compared
 from vv.records.outcomes import Outcome
+from vv.records.quantity import PrintedFacts
 
 
 def test_what_gave_nothing_is_anchored_once_and_whole_if_nothing_of_it_ran() -> None:
@@ -164,3 +175,100 @@ def test_a_scheme_is_ranked_with_its_order_and_its_error_at_the_stiffest_springs
     assert row.order is not None
     assert row.order.points == 3
     assert row.order.order == pytest.approx(2.0, abs=1e-9)
+
+
+def test_of_inputs_within_a_thousandth_that_of_the_least_cpu_time_is_shown() -> None:
+    def made(label: str, cpu: float, wall: float) -> Any:
+        spent = dataclasses.replace(cost(cpu=cpu), solve_wall=wall)
+        known = [entry("pass", {"max": 0.5 * TARGET})]
+        return record(label, "T1", 1e-3, quantities=known, cost=spent)
+
+    cheap, quick = made("a/a", 1.0, 9.0), made("b/b", 2.0, 3.0)
+    assert min([quick, cheap], key=inputs._order) is cheap
+
+
+def test_a_value_in_an_interval_has_no_error_to_be_ranked_by() -> None:
+    judged = entry("pass", {"max": 0.25})
+    assert judged_error(judged) == 0.25
+    assert judged_error(changed(judged, judge="interval")) is None
+    assert judged_error(None) is None
+
+
+def test_a_map_of_regions_is_of_the_finest_setting_and_counts_what_is_right() -> None:
+    def run(dt: float, modes: dict[str, int]) -> Any:
+        return record("a/a", "T1", dt, quantities=[
+            entry("pass", {}, name=name, kind="count", unit="", value=mode, reference=1)
+            for name, mode in modes.items()
+        ])  # fmt: skip
+
+    chart = RegionMap("x", "y", ("stays", "goes"), (((0.0, 0.0), (1.0, 1.0)),),
+                      {"p": (0.5, 0.5), "q": (0.2, 0.5), "r": (0.8, 0.5)})  # fmt: skip
+    facts = changed(case().variants["T1"], regions=chart)
+    pile = [run(2e-3, {"p": 0, "q": 0, "r": 0}), run(1e-3, {"p": 1, "q": 1, "r": 0})]
+    (figure,) = region_figures(facts, {"a/a": pile}, marks(["a/a"]))
+    assert figure.alt.endswith("points found as the exact chart has them: a/a 2 of 3")
+
+
+def test_an_answer_of_another_code_stands_beside_the_finest_value_of_each_scheme() -> None:
+    printed = PrintedFacts(2.0, 0.05, "other", "Someone (2001)", 0.25)
+
+    def run(label: str, dt: float, value: float, verdict: str) -> Any:
+        seen = entry(verdict, {}, judge="code-to-code", kind="scalar", value=value, reference=9.0,
+                     printed=printed)  # fmt: skip
+        return record(label, "T1", dt, quantities=[seen])
+
+    piles = {
+        "a/a": [run("a/a", 1e-3, 2.1, "pass"), run("a/a", 2e-3, 3.2, "fail")],
+        "b/b": [run("b/b", 2e-3, 2.3, "pass"), run("b/b", 1e-3, 3.4, "fail")],
+        "c/c": [record("c/c", "T1", 1e-3, status="error")],
+    }
+    (quantity,) = case().variants["T1"].quantities
+    assert other_codes.printed_rows(piles, [changed(quantity, name="none"), quantity]) == [
+        other_codes.PrintedRow("height", "m", printed, {"a/a": 2.1, "b/b": 3.4}, frozenset({"b/b"}))
+    ]
+
+
+def test_measured_values_are_counted_within_two_uncertainties_whatever_their_bands(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawn: list[str] = []
+
+    def draw(points: Any, shown: str) -> str:
+        drawn.append(shown)
+        return ""
+
+    monkeypatch.setattr(measurements, "draw_scatter", draw)
+    looks = marks(["a/a", "b/b"])
+
+    def point(name: str, computed: float, within: bool) -> Compared:
+        return Compared(name, "m", computed, 1.0, 0.1, 0.5, within)
+
+    # apart by 0.1, 0.3 and 0.4, where 0.2 is two uncertainties; bands say otherwise
+    first = [point("p", 1.1, False), point("q", 1.3, True), point("r", 1.4, True)]
+    second = [point("q", 1.05, False)]
+    (quantity,) = case().variants["T1"].quantities
+    facts = [changed(quantity, name="p", unit="m"), changed(quantity, name="q", unit="m"),
+             changed(quantity, name="r", unit="N", meaning="force")]  # fmt: skip
+    group = [some(label="a/a", points=first), some(label="b/b", points=second)]
+    book: Any = some(
+        agreements={("c", "v"): group}, marks=looks,
+        manifest=some(cases={"c": some(variants={"v": some(quantities=facts)})}),
+    )  # fmt: skip
+    metres, newtons = measurements.measured_figures(book, ("c", "v"))
+    assert metres.alt.endswith("within 2 standard uncertainties: a/a 1 of 2 and b/b 1 of 1")
+    assert newtons.alt.endswith("within 2 standard uncertainties: a/a 0 of 1")
+    assert drawn == ["y [m]", "y [N]"]
+    rows = measurements.measured_rows(book, ("c", "v"))
+    assert [(row.quantity, row.unit, [*row.computed]) for row in rows] == [
+        ("height", "m", ["a/a"]), ("height", "m", ["a/a", "b/b"]), ("force", "N", ["a/a"])
+    ]  # fmt: skip
+
+
+def test_settings_without_result_have_the_outcome_of_their_own_reason() -> None:
+    pile = [record("a/a", "T1", 2e-3, status="refused", reason="it will not"),
+            record("a/a", "T1", 1e-3, status="timeout", reason="it was slow")]  # fmt: skip
+    found = absences.absent({"a/a": pile}, marks(["a/a"]))
+    assert [(one.outcome.key, one.settings, one.reason) for one in found] == [
+        (Outcome.REFUSED, ["dt = 0.002 s"], "it will not"),
+        (Outcome.TIMEOUT, ["dt = 0.001 s"], "it was slow"),
+    ]
