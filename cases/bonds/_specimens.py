@@ -47,9 +47,7 @@ def specimen(p: Parameters, block: Lattice, rates: tuple[float, ...] = RATES) ->
     pairs = np.concatenate([block.bonds + k * n for k in range(many)])
     values = (p["d"], p["kn"], p["ks"], p["kn"] * p["xb"], p["fs0"])
     bonds = Bonds(pairs, *(np.full(len(pairs), value) for value in values))
-    return Scene(
-        (spheres,), Contact(p["kn"], p["ks"], p["mu_p"]), _viscosity(p, block), bonds=bonds
-    )
+    return Scene((spheres,), Contact(p["kn"], p["ks"], p["mu_p"]), viscosity(p, block), bonds=bonds)
 
 
 def yielding(p: Parameters, block: Lattice) -> Scene:
@@ -102,7 +100,7 @@ def _ends(block: Lattice) -> npt.NDArray[np.intp]:
     return np.concatenate([np.flatnonzero(block.at(2, side)) for side in (1, 0)])
 
 
-def _viscosity(p: Parameters, block: Lattice) -> float:
+def viscosity(p: Parameters, block: Lattice) -> float:
     """eta [N s/m] of Eq. 28, with the volume of the hull."""
     share = p["d"] / (block.area * block.height) ** (1 / 3)
     return float(share * np.sqrt(8 * p["m"] * p["kn"]))

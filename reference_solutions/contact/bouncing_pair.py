@@ -16,6 +16,7 @@ Raises ValueError for parameters outside their ranges.
 """
 
 from functools import lru_cache
+from itertools import count
 from math import copysign, pi, sqrt
 from typing import Any, NamedTuple
 
@@ -24,6 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from reference_solutions.parameters import (
     require_at_least_0,
+    require_few,
     require_finite,
     require_positive,
     require_times,
@@ -33,7 +35,8 @@ Array = NDArray[np.float64]
 
 RTOL = 3e-14  # the least that solve_ivp accepts is 2.2e-14
 STEP = 0.05  # largest step times the rate of the normal spring
-CELLS, MOST = 4000, 1000  # parts of a flight to find its end; most stages
+CELLS, MOST = 4000, 100  # parts of a flight to find its end; most stages
+WORK = 10000  # most evaluations of the rates in a stage, which usually takes some hundred
 
 
 class Pair(NamedTuple):
@@ -195,7 +198,7 @@ def _after_flight(two: Pair, flight: Stage, end: float) -> Stage | None:
     below = np.flatnonzero(apart(grid) < 0.0)
     if not len(below):
         return None
-    low, high = grid[max(below[0] - 1, 0)], grid[below[0]]
+    low, high = grid[below[0] - 1] if below[0] else 0.0, grid[below[0]]
     since = brentq(lambda x: float(apart(np.asarray(x))[0]), low, high, xtol=1e-20, rtol=1e-15)
     z = two.flown(flight.z, np.array([since]))[:, 0]
     closing, s = two.slip(z)
@@ -215,15 +218,20 @@ def _contact(two: Pair, begin: float, z: Array, way: float) -> Stage:
             return two.outrun(z, way)
         return two.mu * two.kn * float(two.overlap(z)) - abs(float(z[10]))
 
+    evaluations = count(1)
+
+    def rates(_: float, z: Array) -> list[float]:
+        require_few("evaluations of the rates in a contact", next(evaluations), WORK)
+        return two.rates(z, way)
+
     for event in (opens, ends):
         event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
     k = sqrt(two.kn * sum(1.0 / m for m in two.m))
     v = max(abs(two.slip(z)[0]), 1e-3 * float(np.abs(z[4:8]).max()))
     scale = [v / k] * 4 + [v] * 4 + [v / r for r in two.r] + [v * two.kn / k]
     run = solve_ivp(
-        lambda _, z: two.rates(z, way),
-        (0.0, 20.0 * pi / k), z, method="DOP853", dense_output=True, events=(opens, ends),
-        rtol=RTOL, atol=RTOL * np.array(scale), max_step=STEP / k,
+        rates, (0.0, 20.0 * pi / k), z, method="DOP853", dense_output=True,
+        events=(opens, ends), rtol=RTOL, atol=RTOL * np.array(scale), max_step=STEP / k,
     )  # fmt: skip
     if run.status != 1:
         raise RuntimeError(f"a contact from t = {begin} s; {run.message}")

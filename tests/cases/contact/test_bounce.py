@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from reference_solutions.contact import bouncing_pair
 from vv.ask import Method
 from vv.case import Level
 from vv.engines import dem
@@ -31,3 +32,24 @@ def test_a_leapfrog_is_as_close_as_the_ends_of_contacts_within_steps_allow(
         for quantity in trial.quantities:
             found, _ = measured(run, quantity, Method.SECOND_ORDER, knobs)
             assert found.verdict is Verdict.PASS, (knobs, found.name, found.error, found.tolerance)
+
+
+def stages(**given: float) -> tuple[bouncing_pair.Stage, ...]:
+    law = {**CASE.defaults("pair"), **given}
+    return bouncing_pair.pair_stages(0.036, **{k: v for k, v in law.items() if k != "g"})
+
+
+@pytest.mark.parametrize("given", [{"r1": 1e-6}, {"r2": 1e-6}, {"ks": 4e12}])
+def test_a_contact_that_takes_too_many_evaluations_is_refused(given: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match="evaluations of the rates in a contact; at most"):
+        stages(**given)
+
+
+def test_a_contact_soon_after_the_start_is_found() -> None:
+    gap = 1e-9  # which is crossed in a four-hundredth of the first part that is searched
+    assert stages(gap=gap)[1].begin == pytest.approx(gap / CASE.defaults("pair")["v_n"], rel=1e-6)
+
+
+def test_more_bounces_than_are_solved_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"load = 26.0 N; more than 100 stages by 0.036 s"):
+        stages(r1=1e-3, load=26.0)
