@@ -35,7 +35,9 @@ from vv.plan.project import find
 from vv.scene import Contact, Scene, Vector
 
 STEPS = (4e-3, 2e-3, 1e-3)
-WEDGE, SHAKEN_WEDGE = (find().load_case(name) for name in ("wedge", "shaken-wedge"))
+WEDGE, SHAKEN_WEDGE, INCLINE = (
+    find().load_case(name) for name in ("wedge", "shaken-wedge", "incline")
+)
 SHAKEN = shaken((0.3, 0.2, 0.0), (1.0, 1.3, 1.0), 0.3)
 STACK = stack(NONE)
 STILL = dataclasses.replace(
@@ -161,6 +163,16 @@ def test_a_wedge_that_friction_all_but_holds_begins_to_slide_as_it_should() -> N
     way, due = s.observe(done), s.reference(done.times)
     assert np.abs(way - due).max() <= 5e-8
     closes(done)
+
+
+def test_momentum_is_as_right_as_forces_are_in_fine_steps() -> None:
+    """Stiffer springs, where the rest is rounding, would turn that of displacements into forces."""
+    shaken_slope = INCLINE.defaults("newmark-30") | {"f": 2.0, "duration": 0.2}
+    ask = INCLINE.declare("newmark-30", shaken_slope).study.ask(Knobs(1e-5, 1e8))
+    ledger = run(ask, BORNE).ledger
+    assert ledger is not None
+    seen, _ = ledger.audits["error of the momentum balance [N]"]
+    assert seen <= HELD * ask.scene.blocks[0].mass * G
 
 
 def test_springs_and_walls_of_stones_are_refused() -> None:

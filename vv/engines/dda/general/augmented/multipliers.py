@@ -152,7 +152,7 @@ def iterate_multipliers(
         if not still:
             restart_sticking(touch)
             anew = True
-        grow = 10.0 if slow else 1.0
+        grow = 10.0 if slow and (turns or off > firm * blur) else 1.0
         before, firm, times = off, firm * grow, times * grow
         shorten_springs(touch, gap, firm, grow)
     shorten_springs(touch, gap, np.inf, 1.0 / times)
