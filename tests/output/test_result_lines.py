@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.support.fabricated import changed, entry, manifest, record
+from tests.support.fabricated import NOWHERE, changed, entry, manifest, record
 from vv.case import Level
 from vv.output import finding_lines, markdown, progress, result_lines
 from vv.output.results_table import table
@@ -212,3 +212,25 @@ def test_a_table_is_as_wide_as_its_longest_names_and_explains_its_marks() -> Non
     assert "1.0e-04  1.0e-03" in row
     assert "       -        -" in other
     assert legend == "  (finest setting; ~: timed while other jobs ran)"
+
+
+def test_each_of_two_invocations_is_told_with_its_own_day_commit_and_count(told: Told) -> None:
+    one, other = (
+        manifest(*[fine()] * count,
+                 provenance=changed(NOWHERE, utc=f"day {count}", commit=commit, dirty=dirty))
+        for count, commit, dirty in ((2, "a" * 40, False), (3, "b" * 40, True))
+    )  # fmt: skip
+    result_lines.print_changes([], one, other, 2)
+    assert lines(told)[:2] == [
+        "A: day 2, commit aaaaaaaaa, 2 results",
+        "B: day 3, commit bbbbbbbbb with uncommitted changes, 3 results",
+    ]
+
+
+def test_what_may_not_be_accepted_is_counted_by_scheme_and_outcome(told: Told) -> None:
+    failed = record("dem/default", "T1", 1e-3, quantities=[entry("fail", {"max": 1})])
+    result_lines.print_unacceptable([failed, refused(), failed, refused(), failed])
+    assert lines(told) == [
+        "not in the baseline: 3 of dem/default: fail",
+        "not in the baseline: 2 of dem/default: not supported",
+    ]
