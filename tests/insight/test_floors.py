@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from tests.support.records.priced import Row, one, record
 from vv.base.metrics import count_before_floor
+from vv.records.outcomes import JudgeKind
 from vv.records.rungs import describe, row_of
 
 
@@ -192,3 +193,14 @@ def test_the_least_error_of_all_that_was_spent_is_a_floor() -> None:
     floor = one(rows).floor
     assert floor
     assert (floor.error, floor.why) == (2e-3, "70 s were spent")
+
+
+def test_the_floor_of_a_row_is_its_least_error_and_only_errors_that_judge_count() -> None:
+    flat = [(dt, None, e, 1.0) for dt, e in zip(STEPS, (2e-3, 1.9e-3, 1.95e-3), strict=True)]
+    floor = row_of(None, [record("ours", one) for one in flat]).floor
+    assert floor
+    assert floor.error == 1.9e-3
+    whole = record("ours", flat[0])
+    kept = dataclasses.replace(whole.quantities[0], judge=JudgeKind.INVARIANT, errors={})
+    both = dataclasses.replace(whole, quantities=(*whole.quantities, kept))
+    assert [point.error for point in row_of(None, [both]).points] == [2e-3]

@@ -91,4 +91,6 @@ BUGS = (
     Bug("statements that differ shown as good", "reports/pages/papers.py", 'Assessment.DIFFERS: "bad"', 'Assessment.DIFFERS: "good"', tests="tests/reports/pages/test_page_decisions.py"),
     Bug("the source compared by the last quantity", CASE, "record.quantities[:1]", "record.quantities[-1:]", tests="tests/reports/pages/test_page_decisions.py"),
     Bug("two invocations told as each other", "vv/output/result_lines.py", '(("A", one), ("B", other))', '(("B", one), ("A", other))', tests="tests/output/test_result_lines.py"),
+    Bug("a floor of the last error", RUNGS, "return Floor(min(errors), why)", "return Floor(errors[-1], why)", tests="tests/insight/test_floors.py"),
+    Bug("errors of what is not judged by its error", RUNGS, "for one in record.quantities if one.judge is JudgeKind.EXACT", "for one in record.quantities", tests="tests/insight/test_floors.py"),
 )  # fmt: skip

@@ -103,3 +103,10 @@ def test_the_first_two_quantities_have_figures_and_others_that_are_out_of_bounds
     own = [fabricated.record("a/a", "T1", 1e-3, quantities=seen),
            fabricated.record("a/b", "T1", 1e-3)]  # fmt: skip
     assert is_drawn(many[place], whole, own) is drawn
+
+
+def test_advice_is_given_for_each_power_of_ten_from_a_hundredth_to_a_millionth() -> None:
+    for error, said in ((5e-4, "0.01 to 1e-3"), (5e-5, "0.01 to 1e-4"), (5e-6, "0.01 to 1e-5"),
+                        (5e-7, "0.01 to 1e-6")):  # fmt: skip
+        (one,) = efforts((1e-2, None, error, 1.0))
+        assert [errors for errors, _ in told(one)] == [said]
