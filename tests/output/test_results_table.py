@@ -13,6 +13,7 @@ from vv.output import finding_lines
 from vv.output.results_table import ROWS, rows, table, unsupported
 from vv.output.wording import duration
 from vv.records.finding import Aspect, Bit, Finding
+from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.store.store import Store
 
@@ -115,3 +116,23 @@ def test_a_broken_law_is_told_with_the_number_beside_its_bound() -> None:
 )  # fmt: skip
 def test_a_duration_is_told_in_the_unit_that_suits_it(seconds: float, told: str) -> None:
     assert duration(seconds) == told
+
+
+def test_a_row_has_the_cpu_time_of_its_steps_and_the_worst_of_what_it_came_to() -> None:
+    def run(dt: float, verdict: str, cpu: float) -> Record:
+        made = record("a/a", "T1", dt, quantities=[entry(verdict, {"max": 1e-4})])
+        return changed(made, cost=changed(made.cost, solve_cpu=cpu, solve_wall=9 * cpu))
+
+    (row,) = rows([run(1e-3, "pass", 0.25), run(2e-3, "xfail", 0.5)], [])
+    assert (row.cpu, row.verdict) == (0.25, "known disagreement")
+    blown = record("a/a", "T1", 4e-3, study="grid", status="diverged")
+    (row,) = rows([run(1e-3, "no-reference", 0.25), blown], [])
+    assert row.verdict == "blow-up to show"
+
+
+def test_the_error_of_many_variants_is_their_median() -> None:
+    errors = [1e-5] * 20 + [3e-5] * 21 + [0.8] * 20
+    many = [record("a/a", f"V{i}", 1e-3, quantities=[entry("pass", {"max": error})])
+            for i, error in enumerate(errors)]  # fmt: skip
+    (line,) = [line for line in table(many, []) if line.startswith("  a/a")]
+    assert line.split()[-1] == "3.0e-05"

@@ -132,3 +132,14 @@ def test_a_code_whose_costs_are_of_whole_processes_is_named_once(whole: bool, sa
     lines = [*speed_text.whole(every)]
     assert len(lines) == said
     assert all(line.startswith("ours/default: its costs are those of whole") for line in lines)
+
+
+def test_the_least_error_and_the_most_accurate_setting_need_not_be_the_last() -> None:
+    rises = [(1e-2, None, 4e-3, 1e-5), (1e-3, None, 2e-3, 2e-5), (1e-4, None, 7e-3, 3e-5)]
+    (row,) = [line for line in speed_text.tables(timed(a=rises)) if line.startswith("  a/default")]
+    assert "2.0e-03" in row
+    *_, shown = speed_text.indicative(
+        untimed(manifest(*(record("a", one) for one in untouched(rises))))
+    )
+    assert words(shown).startswith("a/default 2.0e-03 ~1 ms")
+    assert shown.endswith("dt = 0.001 s")
