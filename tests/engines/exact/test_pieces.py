@@ -1,10 +1,14 @@
-"""Claims about pieces of a slip that turns: how long they are, and where they end."""
+"""Claims about pieces of a slip: how long they are, where they end, the series of their drive."""
 
 from __future__ import annotations
+
+from math import factorial
 
 import numpy as np
 import pytest
 
+from vv.engines.exact.slide.clock import ORDER as HIGHEST
+from vv.engines.exact.slide.kernel import _expand
 from vv.engines.exact.turn.kernel import LAST, LONGEST, _end_of_piece, _step_of_slip
 from vv.engines.exact.turn.series import ORDER
 from vv.engines.exact.turn.slipping import SLIP as WAY
@@ -51,3 +55,16 @@ def test_a_step_of_slip_is_so_long_that_the_last_terms_are_rounding(
     end = _step_of_slip(q)
     assert end == pytest.approx((LAST * 7.0 / 3.0) ** (1.0 / n))
     assert 3.0 * end**n == pytest.approx(LAST * 7.0)
+
+
+def test_all_terms_of_a_drive_are_those_of_its_sines() -> None:
+    """The term n of sin(a + w (part + s)) is w^n/n! sin(a + w part + n pi/2), to the last one."""
+    rows = np.random.default_rng(2).normal(size=(4, 3))
+    angle, turn, part = np.array([0.3, -1.1]), np.array([1.5, 0.8]), 0.4
+    known = np.full((4, HIGHEST + 1), np.nan)
+    _expand(rows, angle, turn, part, known)
+    n = np.arange(HIGHEST + 1)
+    size = turn[:, None] ** n / [float(factorial(k)) for k in n]
+    due = rows[:, 1:] @ (size * np.sin((angle + turn * part)[:, None] + n * np.pi / 2))
+    due[:, 0] += rows[:, 0]
+    assert known == pytest.approx(due, rel=1e-11, abs=0.0)  # the last ones are near 1e-29
