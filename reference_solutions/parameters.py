@@ -42,7 +42,7 @@ def require_at_least_0(unit: str, **values: float) -> None:
 def require_few(what: str, count: float, most: int) -> None:
     """Raises ValueError if more than `most` are to be solved, which would take many seconds."""
     if not count <= most:
-        raise ValueError(f"{count:.4g} {what}; at most {most} are solved, one after another")
+        raise ValueError(f"{count:.4g} {what}; at most {most} are solved")
 
 
 def require_acute(**degrees: float) -> None:

@@ -34,7 +34,8 @@ LARGEST, SIZES = 0.01, (0.8, 0.85, 0.9, 0.95, 1.0)  # radius [m], and radii over
 SIDE = 1.1 * 2 * LARGEST * ACROSS  # m
 SEEN = tuple(Displacement(i) for i in range(COUNT))  # walls are bodies after the spheres
 FAST = tuple(Velocity(i) for i in range(COUNT))
-GOAL, FADES = History(2.4, 0.15), 0.05  # at m/eta = FADES [s]; longer where drag needs more time
+GOAL = History(2.4, 0.15)
+FADES, SINKS = 0.05, 0.49  # m/eta [s] and m g/eta [m/s] up to and from which that is long enough
 SEEDS = (1, 2, 3)
 FINE, COARSE = 1e-4, 0.2  # units of rounding: parts of the weight and the radius, and contacts
 
@@ -133,7 +134,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     spheres = _spheres(int(variant.removeprefix("seed-")), p)
     down = np.array([0.0, 0.0, -p["g"]])
     scene = Scene((spheres, *_walls()), Contact(p["kn"]), p["eta"], down)
-    longer = max(1.0, p["m"] / p["eta"] / FADES)
+    longer = max(1.0, p["m"] / p["eta"] / FADES, SINKS * p["eta"] / (p["m"] * p["g"]))
     goal = History(longer * GOAL.duration, longer * GOAL.interval)
     ladder = Ladder(scene, goal, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
     weight = packing.weight(spheres.mass, p["g"])

@@ -72,7 +72,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if variant in ARCHES:
         _check_friction(p)
     elif not p["n"] <= MOST:
-        raise ValueError(f"n = {p['n']!r}; at most {MOST} blocks are stacked, one after another")
+        raise ValueError(f"n = {p['n']!r}; at most {MOST} blocks are stacked")
     blocks = _arch(p) if variant in ARCHES else _stack(p)
     contact = Contact(np.inf, mu=p["mu"])
     scene = Scene((Wall(np.zeros(3), Z), *blocks), contact, gravity=-p["g"] * Z)

@@ -12,13 +12,13 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_solutions.parameters import require_positive
+from reference_solutions.parameters import require_few, require_positive
 
 Array = NDArray[np.float64]
 Pairs = list[tuple[int, int]]
 
 _ROUNDS = 50
-_MOST = 2000  # spheres: a matrix of 128 MB
+_MOST = 2000  # spheres: their equations fill a matrix of 128 MB
 _STILL = 4e-16  # of kn times the width: the largest remaining force, due to rounding of centres
 
 
@@ -26,11 +26,7 @@ def packed(n: int, rows: int, r: float) -> Array:
     """The centres (k, 2) [m], across and up, of spheres that just touch in a box 2 n r wide."""
     if n < 2 or rows < 1:
         raise ValueError(f"n = {n}, rows = {rows}; at least 2 spheres and 1 row are needed")
-    if n * rows > _MOST:
-        raise ValueError(
-            f"n = {float(n)}, rows = {float(rows)}; at most {_MOST} spheres are placed, since "
-            "their equations are solved as a full matrix"
-        )
+    require_few("spheres", float(n) * float(rows), _MOST)
     require_positive("m", r=r)
     up = r * np.sqrt(3.0)
     return np.array([

@@ -45,6 +45,7 @@ RIGHT = {
     "close-packed-energy:pulled-82 kn=1.62e7 ks=8.88e6 d=3.91e-4": "dem/default",
     "close-packed-energy:pressed-82 rate=-16": "dem/default",
     "close-packed-energy:pressed-82 kn=2.5e7 m=2.5e-6": "dem/published",
+    "packing:seed-1 m=0.0035 kn=7.86e4 g=5.17": "dem/default",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
         "dem/default"
     ),

@@ -151,15 +151,19 @@ def test_results_of_modified_parameters_and_of_what_did_not_run_have_no_say() ->
     assert agreements([*live, *absent], kept) == []
 
 
-def test_stiffness_is_refined_last_from_the_stiffest_of_the_softer_springs() -> None:
-    rungs = {(1e6, 1e-3): 9.0, (1e7, 2e-3): 7.0, (1e7, 1e-3): 3.0, (1e8, 1e-3): 2.0}
-    stiffer = [
+def beside_others(rungs: dict[tuple[float, float], float]) -> list[Record]:
+    """Values of a/x at settings (kn, dt), beside two codes that agree with each other."""
+    own = [
         changed(one, rung={"dt": dt, "kn": kn})
         for (kn, dt), value in rungs.items()
         for one in said("a/x", value)
     ]
-    others = records_of({"b/x": AGREEING["b/x"], "c/x": AGREEING["c/x"]})
-    (agreement,) = agreements([*stiffer, *others])
+    return [*own, *records_of({"b/x": AGREEING["b/x"], "c/x": AGREEING["c/x"]})]
+
+
+def test_stiffness_is_refined_last_from_the_stiffest_of_the_softer_springs() -> None:
+    rungs = {(1e6, 1e-3): 9.0, (1e7, 2e-3): 7.0, (1e7, 1e-3): 3.0, (1e8, 1e-3): 2.0}
+    (agreement,) = agreements(beside_others(rungs))
     assert agreement.answers[0].error == pytest.approx(1.0)  # 2.0 - 3.0, at the finest step
 
 
@@ -179,13 +183,7 @@ def test_a_reference_with_which_one_of_those_that_agree_does_is_not_disagreed_wi
 
 def test_what_the_last_step_and_the_last_stiffness_changed_add_up() -> None:
     rungs = {(1e7, 2e-3): 3.0, (1e8, 2e-3): 2.5, (1e8, 1e-3): 2.25}
-    own = [
-        changed(one, rung={"dt": dt, "kn": kn})
-        for (kn, dt), value in rungs.items()
-        for one in said("a/x", value)
-    ]
-    others = records_of({"b/x": AGREEING["b/x"], "c/x": AGREEING["c/x"]})
-    (agreement,) = agreements([*own, *others])
+    (agreement,) = agreements(beside_others(rungs))
     assert agreement.answers[0].error == pytest.approx(0.25 + 0.75)  # 2.5 - 2.25, 3.0 - 2.25
 
 

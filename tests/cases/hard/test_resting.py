@@ -9,7 +9,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from cases.hard.resting import _observed_energy
+from cases.hard.parts._knocked_sheet import observed_energy
 from reference_solutions.checks.contact import resting_lattice as lowest
 from reference_solutions.contact import resting_lattice as balanced
 from tests.support.turned_signs import caught, signs, turned
@@ -92,7 +92,7 @@ def test_a_sheet_of_nothing_is_refused() -> None:
 
 def test_a_sheet_too_large_for_a_full_matrix_is_refused() -> None:
     assert len(balanced.packed(40, 50, 1.0)) == 1975
-    with pytest.raises(ValueError, match="at most 2000 spheres"):
+    with pytest.raises(ValueError, match="2040 spheres; at most 2000 are solved"):
         balanced.packed(40, 51, 1.0)
 
 
@@ -126,7 +126,7 @@ def test_a_gain_is_seen_after_a_loss_that_would_hide_it() -> None:
     }  # fmt: skip
     late = dataclasses.replace(run, values=grown)
     held = functools.partial(
-        _observed_energy, CASE.declare("knocked", CASE.defaults("knocked")).study.scene
+        observed_energy, CASE.declare("knocked", CASE.defaults("knocked")).study.scene
     )
     assert held(late)[-1] < held(late)[0]
     assert judged(numbers["gained"], late) == "fail"
