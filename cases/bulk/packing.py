@@ -36,6 +36,7 @@ SEEN = tuple(Displacement(i) for i in range(COUNT))  # walls are bodies after th
 FAST = tuple(Velocity(i) for i in range(COUNT))
 GOAL = History(2.4, 0.15)
 FADES, SINKS = 0.05, 0.49  # m/eta [s] and m g/eta [m/s] up to and from which that is long enough
+LONGEST = 100.0  # times GOAL: some ten seconds of calculation
 SEEDS = (1, 2, 3)
 FINE, COARSE = 1e-4, 0.2  # units of rounding: parts of the weight and the radius, and contacts
 
@@ -128,13 +129,25 @@ def gained(p: Parameters, scene: Scene, run: Run) -> float:
     return max(0.0, float((whole - np.minimum.accumulate(whole)).max()))
 
 
+def _longer(p: Parameters) -> float:
+    """How many times as long as GOAL a pack takes to come to rest, since drag is weak or strong."""
+    longer = max(1.0, p["m"] / p["eta"] / FADES, SINKS * p["eta"] / (p["m"] * p["g"]))
+    if not longer <= LONGEST:
+        raise ValueError(
+            f"eta = {p['eta']!r} N s/m, m = {p['m']!r} kg, g = {p['g']!r} m/s2; the pack takes "
+            f"{longer * GOAL.duration:.3g} s to come to rest; at most {LONGEST * GOAL.duration:g} "
+            "s are run"
+        )
+    return longer
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
     if not p["eta"] > 0.0:
         raise ValueError(f"eta = {p['eta']!r} N s/m; without drag nothing brings a pack to rest")
     spheres = _spheres(int(variant.removeprefix("seed-")), p)
     down = np.array([0.0, 0.0, -p["g"]])
     scene = Scene((spheres, *_walls()), Contact(p["kn"]), p["eta"], down)
-    longer = max(1.0, p["m"] / p["eta"] / FADES, SINKS * p["eta"] / (p["m"] * p["g"]))
+    longer = _longer(p)
     goal = History(longer * GOAL.duration, longer * GOAL.interval)
     ladder = Ladder(scene, goal, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
     weight = packing.weight(spheres.mass, p["g"])

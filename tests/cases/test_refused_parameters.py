@@ -31,6 +31,8 @@ PROJECT = find()
         ("tetrahedral-unit", "pulled", {"kn": 1e4}, "the unit creeps to rest"),
         ("masonry", "rest", {"mu": 0.3085}, "whatever the thrust of the arch, a joint slides"),
         ("packing", "seed-1", {"eta": 0.0}, "eta = 0.0 N s/m; without drag nothing"),
+        ("packing", "seed-1", {"eta": 1e300}, "to come to rest; at most 240 s are run"),
+        ("packing", "seed-1", {"eta": 1e-9}, "takes 4.8e\\+08 s to come to rest"),
         ("tetrahedral-path", "out", {"rate": 2000.0}, "rate = 2000.0 1/s; it must not exceed 250"),
     ],
 )
