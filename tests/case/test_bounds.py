@@ -139,6 +139,14 @@ def test_the_scene_of_a_point_has_its_stiffness_if_that_is_part_of_the_scene() -
     assert knobs_in_scene(Ladder(SCENE, GOAL, (BALL,), dict.fromkeys(Level, (Knobs(0.1),)))) == ()
 
 
+def test_steps_that_no_number_counts_are_refused() -> None:
+    """2^53 steps are counted; of one more no float is left."""
+    levels = dict.fromkeys(Level, (Knobs(0.5), Knobs(0.25)))
+    Ladder(SCENE, History(2.0**51, 1.0), (BALL,), levels)
+    with pytest.raises(ValueError, match=r"takes 1.8e\+16 steps of 0.25 s, of which at most 9.01e"):
+        Ladder(SCENE, History(2.0**52, 1.0), (BALL,), levels)
+
+
 @pytest.mark.parametrize("name", ["kn", "steps"])
 def test_a_map_without_steps_or_stiffnesses_is_refused(name: str) -> None:
     values: dict[str, Any] = {

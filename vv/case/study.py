@@ -11,6 +11,8 @@ from vv.ask import Ask, Bracket, History, Knobs, Observable, SearchVariable
 from vv.scene import Scene
 from vv.scene.energy import Form
 
+COUNTED = 2.0**53  # steps: above it not every whole number is a float
+
 
 class Level(enum.Enum):
     """How much of a case runs; scenes, tolerances and references are the same at all levels."""
@@ -59,6 +61,13 @@ class Ladder:
             raise ValueError(
                 f"Ladder.rungs is empty at level {missing[0]}; each level needs a setting"
             )
+        for dt in {knobs.dt for level in self.rungs.values() for knobs in level if knobs.dt}:
+            if not self.goal.duration / dt <= COUNTED:
+                raise ValueError(
+                    f"Ladder.goal.duration = {self.goal.duration!r} s; it takes "
+                    f"{self.goal.duration / dt:.3g} steps of {dt!r} s, of which at most "
+                    f"{COUNTED:.3g} can be counted"
+                )
 
     def ask(self, knobs: Knobs) -> Ask:
         """The ask at one setting."""
