@@ -43,7 +43,7 @@ def test_a_program_reads_its_question_and_writes_its_answer(tmp_path: Path) -> N
     script = "import json; a = json.load(open('ask.json')); print(','.join(a['columns']))\n"
     script += "for t in a['times']: print(t, *[a['scene']['gravity'][1]] * 6, sep=',')"
     (tmp_path / "program.py").write_text(script)
-    run = answer(tmp_path, f"{sys.executable} {tmp_path}/program.py > series.csv")
+    run = answer(tmp_path, f"'{sys.executable}' '{tmp_path}/program.py' > series.csv")
     assert (run.status, run.reason, run.steps) == (Status.RAN, "", 2)
     assert run.model is not None
     assert run.model.terms == ASK.scene.terms()
