@@ -14,7 +14,7 @@ from adapters.liggghts.setup import CLUMP, HALF_STEP, OVERLAPPED, PLAIN, Setup, 
 from adapters.liggghts.terms.bonds import LASTING
 from adapters.liggghts.terms.table import TRANSLATIONS
 from vv.ask import Ask, Method, Model, Run, Status
-from vv.codes import LEAPFROG_ON_SPRINGS, Found, Scheme
+from vv.codes import LEAPFROG_ON_SPRINGS, Found, Scheme, external
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
@@ -104,7 +104,8 @@ class Liggghts:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return
         setups = [set_up(ask, scheme) for ask in asks]
-        batch = Batch(setups, [_described(setup) for setup in setups], scratch, here.path)
+        models = [_described(setup) for setup in setups]
+        batch = Batch(setups, models, external.new_folder(scratch), here.path)
         yield from timed(batch, repeat) if repeat else solved(batch)
 
 

@@ -34,23 +34,23 @@ MOST_REPEATS = 300  # each adds a set-up of about a millisecond to its solve
 
 @dataclass(frozen=True)
 class Batch:
-    """Setups with their models, the working folder, and LIGGGHTS' executable."""
+    """Setups with their models, a working folder of their own, and LIGGGHTS' executable."""
 
     setups: Sequence[Setup]
     models: Sequence[Model]
-    scratch: Path
+    folder: Path
     executable: str
 
     def only(self, indices: Sequence[int]) -> Batch:
         """A batch with some of the setups only."""
         some = [self.setups[i] for i in indices], [self.models[i] for i in indices]
-        return Batch(*some, self.scratch, self.executable)
+        return Batch(*some, self.folder, self.executable)
 
 
 def solved(batch: Batch) -> Iterator[Run]:
     """The answers to all asks, each with the cost of the solve that gave it."""
     first: dict[external.Process, int] = {}  # the ask whose cost includes the program's start-up
-    setups, scratch = batch.setups, batch.scratch
+    setups, folder = batch.setups, batch.folder
 
     def launch(indices: Sequence[int]) -> external.Process:
         parts = [_framed(f"ask-{i}", deck(setups[i], f"ask-{i}.txt")) for i in indices]
@@ -59,7 +59,7 @@ def solved(batch: Batch) -> Iterator[Run]:
         return program
 
     def collect(index: int, program: external.Process) -> Run | None:
-        part = scratch / f"ask-{index}"
+        part = folder / f"ask-{index}"
         if not part.with_suffix(".done").exists():
             return None
         run = parse(part.with_suffix(".txt"), setups[index], batch.models[index])
@@ -67,7 +67,7 @@ def solved(batch: Batch) -> Iterator[Run]:
         return replace(run, cost=replace(cost(part), startup=before))
 
     for index, run in enumerate(external.run_batch(len(setups), launch, collect)):
-        answered = (scratch / f"ask-{index}.done").exists()
+        answered = (folder / f"ask-{index}.done").exists()
         yield run if answered or not first else _explained(run, [*first][-1])
 
 
@@ -93,8 +93,8 @@ def _times(once: float, repeat: float) -> int:
 
 def _silent(batch: Batch, times: Sequence[int]) -> Iterator[Run]:
     """The costs of asks, each solved a number of times in a row without output and values."""
-    scratch = batch.scratch
-    name = f"time-{len(list(scratch.glob('batch-*.in')))}"
+    folder = batch.folder
+    name = f"time-{len(list(folder.glob('batch-*.in')))}"
     first: dict[external.Process, int] = {}
 
     def launch(indices: Sequence[int]) -> external.Process:
@@ -107,7 +107,7 @@ def _silent(batch: Batch, times: Sequence[int]) -> Iterator[Run]:
         return "clear\n".join([silent_deck(batch.setups[index], around)] * times[index])
 
     def collect(index: int, program: external.Process) -> Run | None:
-        part = scratch / f"{name}-{index}"
+        part = folder / f"{name}-{index}"
         if not part.with_suffix(".done").exists():
             return None
         before = startup(part, program) if first[program] == index else 0.0
@@ -142,10 +142,10 @@ def _framed(part: str, text: str) -> str:
 
 def _start(parts: Sequence[str], batch: Batch) -> external.Process:
     """Start LIGGGHTS on the parts; output is by lines: if it dies, buffered output is lost."""
-    scratch = batch.scratch
-    deck_file = scratch / f"batch-{len(list(scratch.glob('batch-*.in')))}.in"
+    folder = batch.folder
+    deck_file = folder / f"batch-{len(list(folder.glob('batch-*.in')))}.in"
     deck_file.write_text("".join(parts))
-    (scratch / ON_CPU).write_text('cat /proc/"$(cat program.pid)"/schedstat >>"$1"\n')
+    (folder / ON_CPU).write_text('cat /proc/"$(cat program.pid)"/schedstat >>"$1"\n')
     by_line = ["stdbuf", "-oL"] if shutil.which("stdbuf") else []
     named = ["sh", "-c", 'echo $$ >program.pid; exec "$@"', "sh"]
     command = [
@@ -159,4 +159,4 @@ def _start(parts: Sequence[str], batch: Batch) -> external.Process:
         "-log",
         "none",
     ]
-    return external.start(command, scratch, MPI)
+    return external.start(command, folder, MPI)

@@ -106,8 +106,9 @@ class Yade:
         if not here.installed:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return
-        files = [scratch / f"ask-{number}.json" for number in range(len(asks))]
-        source = scratch / "in-yade.py"
+        folder = external.new_folder(scratch)
+        files = [folder / f"ask-{number}.json" for number in range(len(asks))]
+        source = folder / "in-yade.py"
         source.write_text(script())
         setups = [set_up(ask, scheme) for ask in asks]
         models = [_described(setup) for setup in setups]
@@ -118,7 +119,7 @@ class Yade:
             # -E: environment variables for our own Python must not act here
             command = [str(PYTHON), "-E", str(source)]
             asked = [files[i] for i in indices]
-            return self.program.ask(command, scratch, {"VV_YADE": here.path}, asked)
+            return self.program.ask(command, folder, {"VV_YADE": here.path}, asked)
 
         def collect(index: int, program: external.Process) -> Run | None:
             return parse(files[index], setups[index], models[index], program.started)

@@ -72,7 +72,7 @@ def ran(driver: Driver, does: Sequence[str], folder: Path, seen: int = 1) -> lis
     built: list[tuple[dict[str, object], Model, Vector]] = [
         ({**plan, "does": what}, MODEL, FRAME) for what in does
     ]
-    folder.mkdir()
+    folder.mkdir(exist_ok=True)
     return list(driver.run([ask()] * len(built), built, folder, 0.0))
 
 
@@ -115,3 +115,13 @@ def test_a_code_without_its_environment_is_not_installed_and_says_how(
     (run,) = other.run([ask()], [({}, MODEL, FRAME)], tmp_path, 0.0)
     assert run.status is Status.NOT_INSTALLED
     assert run.reason.startswith("make setup CODES=other")
+
+
+def test_one_that_dies_in_a_folder_used_before_gives_no_answer(
+    driver: Driver, tmp_path: Path
+) -> None:
+    (before,) = ran(driver, ["moves"], tmp_path / "scratch")
+    (run,) = ran(driver, ["dies"], tmp_path / "scratch")
+    assert before.status is Status.RAN
+    assert (run.status, run.values) == (Status.ERROR, {})
+    assert "exit code 3" in run.reason

@@ -30,11 +30,12 @@ def answer(folder: Path, script: str, ask: Ask = ASK, repeat: float = 0.0) -> Ru
     return asked(folder, "sh program.sh", ask, repeat)
 
 
-def asked(folder: Path, command: str, ask: Ask = ASK, repeat: float = 0.0) -> Run:
-    """What comes of a question to a command."""
-    file, scratch = folder / "mine.toml", folder / f"scratch-{len(list(folder.glob('scratch-*')))}"
+def asked(folder: Path, command: str, ask: Ask = ASK, repeat: float = 0.0, used: str = "") -> Run:
+    """What comes of a question to a command; used: the folder of an earlier one to ask it in."""
+    name = used or f"scratch-{len(list(folder.glob('scratch-*')))}"
+    file, scratch = folder / "mine.toml", folder / name
     file.write_text(DECLARED.format(command=command))
-    scratch.mkdir()
+    scratch.mkdir(exist_ok=bool(used))
     (run,) = program.load(file).run([ask], "default", scratch, repeat)
     return run
 
@@ -244,3 +245,15 @@ def test_a_balance_of_energy_becomes_a_ledger(tmp_path: Path) -> None:
     assert run.ledger is not None
     assert run.ledger.terms == {"kinetic": 1, "drag dissipation": 0.5, "impact dissipation": 2}
     assert run.ledger.bound is None
+
+
+def test_what_a_failed_run_left_in_a_folder_is_not_the_answer_to_a_later_question(
+    tmp_path: Path,
+) -> None:
+    failed = answer(tmp_path, WRITE(GOOD) + "exit 5")
+    assert "exit code 5" in failed.reason
+    assert list((tmp_path / "scratch-0").glob("*/series.csv")), "what failed is kept"
+    run = asked(tmp_path, "true", used="scratch-0")
+    assert (run.status, run.reason) == (
+        Status.ERROR, "the program ended well, but wrote no series.csv",
+    )  # fmt: skip

@@ -10,6 +10,7 @@ import contextlib
 import os
 import signal
 import subprocess
+import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -36,6 +37,15 @@ class Process:
     log: Path
     started: float
     errors: Path | None = None
+
+
+def new_folder(scratch: Path, name: str = "run") -> Path:
+    """An empty folder in `scratch`, for the files of one call of an adapter.
+
+    Files are named by the number of an ask. In a folder that was used before, the answer to an
+    earlier ask of that number would be read before, or in place of, the one that is due.
+    """
+    return Path(tempfile.mkdtemp(prefix=f"{name}-", dir=scratch))
 
 
 def start(

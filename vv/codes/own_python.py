@@ -95,16 +95,17 @@ class Driver:
         if not found.installed:
             yield from [Run(Status.NOT_INSTALLED, found.how_to_install)] * len(asks)
             return
-        source = scratch / f"in-{self.home.name}.py"
+        folder = external.new_folder(scratch)
+        source = folder / f"in-{self.home.name}.py"
         source.write_text(self.script())
-        files = [scratch / f"ask-{number}.json" for number in range(len(asks))]
+        files = [folder / f"ask-{number}.json" for number in range(len(asks))]
         for file, (plan, _, _) in zip(files, built, strict=True):
             file.write_text(json.dumps({**plan, "repeat": repeat}))
 
         def launch(indices: Sequence[int]) -> external.Process:
             # -E: environment variables for our own Python must not affect this one
             command = [found.path, "-E", str(source), *(str(files[i]) for i in indices)]
-            return external.start(command, scratch)
+            return external.start(command, folder)
 
         def collect(index: int, program: external.Process) -> Run | None:
             _, model, frame = built[index]

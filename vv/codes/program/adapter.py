@@ -68,10 +68,10 @@ class Program:
         """One process for each ask; as many as take `repeat` CPU seconds if it is to be timed."""
         for number, ask in enumerate(asks):
             asked = Question(ask, self.native(ask, scheme), self.describe(ask, scheme))
-            runs = [process.run(self.declared.command, asked, scratch / f"{number}-0")]
+            runs = [process.run(self.declared.command, asked, scratch, f"{number}-0")]
             while _all_ran(runs) and sum(run.cost.solve_cpu for run in runs) < repeat:
-                folder = scratch / f"{number}-{len(runs)}"
-                runs.append(process.run(self.declared.command, asked, folder))
+                again = f"{number}-{len(runs)}"
+                runs.append(process.run(self.declared.command, asked, scratch, again))
             yield _cheapest(runs) if _all_ran(runs) else runs[-1]
 
     def _how_to_install(self) -> str:

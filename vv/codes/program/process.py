@@ -34,9 +34,12 @@ class Question:
     model: Model
 
 
-def run(command: Sequence[str], asked: Question, folder: Path) -> Run:
-    """Put a question to a program in a new folder, which is removed unless something went wrong."""
-    folder.mkdir()
+def run(command: Sequence[str], asked: Question, scratch: Path, name: str) -> Run:
+    """Put a question to a program in a new folder, which is removed unless something went wrong.
+
+    name: what the name of the folder begins with.
+    """
+    folder = external.new_folder(scratch, name)
     (folder / ASK).write_text(asked.text)
     before, begun = _cpu_of_children(), time.perf_counter()
     try:
