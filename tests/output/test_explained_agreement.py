@@ -23,6 +23,7 @@ from vv.case import (
 )
 from vv.output import explain
 from vv.records.manifest import Manifest
+from vv.scene import Term
 
 
 def test_the_newest_results_of_each_scheme_are_compared() -> None:
@@ -67,6 +68,89 @@ def test_of_each_scheme_the_newest_results_are_shown_with_their_day() -> None:
         ("bounce", "T1", "a", "x"): ["day 2", "dt 0.001: pass: y: error 0.0002, allowed 0.001"],
         ("bounce", "T1", "b", "x"): ["day 1", "dt 0.001: pass: y: error 0.0003, allowed 0.001"],
     }
+
+
+def test_a_variant_is_told_with_its_own_values_terms_freedoms_and_last_results(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    meanings = (("m", "kg", "mass"), ("g", "m/s^2", "pull"), ("mu", "", "rub"))
+    parameters = [SimpleNamespace(name=n, unit=u, meaning=m) for n, u, m in meanings]
+    shown = SimpleNamespace(
+        summary="it falls", formula="y = t", inert=("g",), unseen={"mu": "smooth"}
+    )
+    case: Any = SimpleNamespace(
+        name="bounce",
+        parameters=parameters,
+        variant={"T2": shown}.__getitem__,
+        defaults={"T1": {"m": 1.0, "g": 2.0, "mu": 3.0}, "T2": {"m": 4.0, "g": 5.0, "mu": 6.0}}.get,
+    )
+    scene = SimpleNamespace(terms=lambda: {Term.GRAVITY, Term.DRAG}, unknowns=lambda: 7)
+    job = SimpleNamespace(case="bounce", variant="T2", code="a", scheme="x", settled=None, ask=None)
+    lacks = changed_job(job, scheme="y", settled=Run(Status.REFUSED, "a/y has no drag"))
+    was = changed_job(job, scheme="z", settled=Run(Status.REFUSED, "a/z has no drag"))
+    plan: Any = SimpleNamespace(
+        trials={
+            ("bounce", "T2"): SimpleNamespace(study=SimpleNamespace(scene=scene), quantities=())
+        },
+        jobs=[job, lacks, was, changed_job(job, variant="T1", scheme="only there")],
+        adapters={
+            "a": SimpleNamespace(describe=lambda ask, _: SimpleNamespace(note="one freedom"))
+        },
+    )
+    explain._explain_variant(plan, case, "T2", {("bounce", "T2", "a", "z"): ["day 1", "it ran"]})
+    assert capsys.readouterr().out.splitlines() == [
+        "",
+        "bounce:T2: it falls",
+        "  formula: y = t",
+        "  m = 4 kg  mass",
+        "  g = 5 m/s^2  pull  (inert)",
+        "  mu = 6   rub  (not seen: smooth)",
+        f"  terms: {Term.GRAVITY.value}, {Term.DRAG.value}",
+        "  unknowns: 7",
+        "  a/x: one freedom",
+        "    last result: none yet",
+        "  a/y: has no drag",
+        "  a/z: has no drag",
+        "    last result: day 1",
+        "      it ran",
+    ]
+
+
+def changed_job(job: SimpleNamespace, **changes: object) -> SimpleNamespace:
+    return SimpleNamespace(**{**vars(job), **changes})
+
+
+SEEN = {"value": 2.0, "digitisation": 0.3, "experiment": 0.4, "conditions": "", "source": "",
+        "band": 0.75}  # fmt: skip
+OTHER = {"value": 2.0, "rounding": 0.1, "code": "a code", "source": "", "band": None}
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({}, "y: error 0.002, allowed 0.001"),
+        ({"errors": {"max": None}}, "y: error nan, allowed 0.001"),
+        ({"note": "late"}, "y: error 0.002, allowed 0.001, late"),
+        ({"tolerance": None, "value": 2.5, "why": "nothing is known"}, "y: 2.5, nothing is known"),
+        ({"value": 2.5, "measurement": SEEN}, "y: computed 2.5, measured 2 +- 0.5, band 0.75"),
+        ({"value": 2.5, "printed": OTHER}, "y: computed 2.5, a code has 2, shown"),
+    ],
+)
+def test_a_result_is_told_with_its_error_and_bound_or_with_why_it_has_none(
+    changes: dict[str, Any], said: str
+) -> None:
+    errors = changes.pop("errors", {"max": 2e-3})
+    assert explain._quantity_in_words(entry("fail", errors, **changes)) == said
+
+
+def test_a_result_is_told_at_its_step_and_stiffness_and_one_without_numbers_with_its_reason() -> (
+    None
+):
+    run = record("a/x", "T1", 1e-3, rung={"dt": 1e-3, "kn": 1e9},
+                 quantities=[entry("fail", {"max": 2e-3})])  # fmt: skip
+    assert explain._in_words(run) == "dt 0.001 kn 1e+09: fail: y: error 0.002, allowed 0.001"
+    none = record("a/x", "T1", None, status="refused", reason="it has no walls")
+    assert explain._in_words(none) == "not supported: it has no walls"
 
 
 def told(capsys: pytest.CaptureFixture[str], judge: object) -> list[str]:
@@ -114,21 +198,23 @@ def test_a_tolerance_is_told_with_all_that_it_scales_by(
     assert told(capsys, Interval(1.0, 2.0, "between")) == ["interval: between"]
 
 
+@pytest.mark.parametrize(("doi", "said"), [("", ""), ("10.1/2", ", doi:10.1/2")])
 def test_an_agreement_is_told_below_its_own_variant_alone(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    doi: str, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(explain, "_explain_variant", lambda plan, case, name, _: print(name))
     variants = [SimpleNamespace(name=one) for one in ("other", "floor", "skipped")]
-    source = SimpleNamespace(citation="Someone", doi="", note="none")
+    source = SimpleNamespace(citation="Someone", doi=doi, note="none")
     bounce = SimpleNamespace(title="Bounces", source=source, published={}, variants=variants)
     plan: Any = SimpleNamespace(
         cases={"bounce": bounce}, trials={("bounce", "other"): 0, ("bounce", "floor"): 0}
     )
     whole = Manifest(NOWHERE, {}, {}, (), tuple(records_of(AGREEING)), (), {}, ())
     explain.print_explanation(plan, [whole])
-    said = capsys.readouterr().out.splitlines()
-    assert said[-3:-1] == ["other", "floor"]
-    assert said[-1].startswith("  agreement: y of bounce:floor ")
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[:3] == ["Bounces", f"  source: Someone{said}", "  note: none"]
+    assert lines[3:-1] == ["other", "floor"]
+    assert lines[-1].startswith("  agreement: y of bounce:floor ")
 
 
 @pytest.mark.parametrize(

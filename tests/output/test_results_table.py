@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.fabricated import STEPS, changed, entry, manifest_of_all, ran, record
+from tests.support.fabricated import STEPS, changed, cost, entry, manifest_of_all, ran, record
 from vv.case import Level
 from vv.gate.judgement import breach_in_words, judgement
 from vv.output import finding_lines
@@ -136,3 +136,94 @@ def test_the_error_of_many_variants_is_their_median() -> None:
             for i, error in enumerate(errors)]  # fmt: skip
     (line,) = [line for line in table(many, []) if line.startswith("  a/a")]
     assert line.split()[-1] == "3.0e-05"
+
+
+def test_a_table_has_each_number_in_its_column_and_explains_the_marks_that_it_has() -> None:
+    def run(label: str, dt: float | None, error: float, seconds: float, **of: bool) -> Record:
+        made = record(label, "T1", dt, quantities=[entry("pass", {"max": error}, tolerance=4e-2)])
+        return changed(
+            made, cost=changed(cost(of.get("timed", False), seconds), whole="whole" in of)
+        )
+
+    first = [run("a/second", dt, 100 * dt * dt, 0.25, timed=True) for dt in (2e-3, 1e-3)]
+    claims = [changed(one, scheme="first", method="first-order") for one in first]
+    exact = run("b/b", None, 2e-9, 0.0)
+    slow = run("c/long-name", None, 3e-5, 2.5, whole=True)
+    lost = record("d/d", "T1", 1e-3, status="diverged", reason="it blew up")
+    red = Finding(Aspect.RUN, "diverged", "it", "bounce", "T1", "d/d", bit=Bit.CRASH)
+    _, title, head, *lines, legend = table([*first, *claims, exact, slow, lost], [red])
+    assert title == "bounce:T1"
+    assert head.split() == ["scheme", "setting", "error", "allowed", "order", "CPU", "verdict"]
+    assert [line.split() for line in lines] == [
+        ["a/second", "dt=0.001", "1.0e-04", "4.0e-02", "2.00", "of", "2", "250", "ms", "pass"],
+        ["a/first", "dt=0.001", "1.0e-04", "4.0e-02", "2.00", "of", "1", "250", "ms", "pass"],
+        ["b/b", "-", "2.0e-09", "4.0e-02", "-", "-", "pass"],
+        ["c/long-name", "-", "3.0e-05", "4.0e-02", "-", "~2.5", "s*", "pass"],
+        ["d/d", "-", "-", "-", "-", "-", "FAIL"],
+    ]
+    assert legend.strip() == (
+        "(finest setting; order in dt: observed of claimed; ~: timed while other jobs ran; "
+        "*: of the whole process)"
+    )
+    *_, bare = table([*first[:1], exact], [])
+    assert bare.strip() == "(finest setting)"
+
+
+def test_a_verdict_is_red_before_it_is_reported_and_reported_before_it_is_passed() -> None:
+    one = record("a/a", "T1", 1e-3, quantities=[entry("pass", {"max": 1e-5})])
+    place = "bounce", "T1", "a/a", "dt=0.001"
+    red, shown, note = (
+        Finding(Aspect.SPEED, "slower", "slow", *place, bit=bit, enforced=enforced)
+        for bit, enforced in ((Bit.SPEED, True), (Bit.SPEED, False), (Bit(0), True))
+    )
+    for found, verdict in (
+        ([shown, red], "FAIL"), ([shown], "reported only"), ([note], "pass"), ([], "pass")
+    ):  # fmt: skip
+        assert [row.verdict for row in rows([one], found)] == [verdict]
+    other = Finding(Aspect.SPEED, "slower", "slow", "bounce", "T2", "a/a", bit=Bit.SPEED)
+    assert [row.verdict for row in rows([one], [other])] == ["pass"]
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "told"),
+    [(("pass", "no-reference"), "pass"), (("no-reference",), "shown only"),
+     (("xfail", "pass", "blow-up"), "known disagreement"),
+     (("blow-up", "pass"), "blow-up to show")],
+)  # fmt: skip
+def test_the_worst_that_a_scheme_came_to_stands_for_it(
+    verdicts: tuple[str, ...], told: str
+) -> None:
+    blown = record("a/a", "T1", 1e-3, study="grid", status="diverged")
+    every = [
+        blown
+        if one == "blow-up"
+        else record("a/a", "T1", dt, quantities=[entry(one, {"max": 0.1})])
+        for one, dt in zip(verdicts, STEPS, strict=False)
+    ]
+    assert [row.verdict for row in rows(every, [])] == [told]
+
+
+def test_verdicts_of_many_variants_are_counted_and_sixty_rows_are_all_shown() -> None:
+    def one(scheme: str, number: int, verdict: str) -> Record:
+        judged = entry(verdict, {"max": 1e-5})
+        return record(f"a/{scheme}", f"V{number}", 1e-3, quantities=[judged])
+
+    many = [one("x", n, verdict) for n, verdict in enumerate(["pass"] * 3 + ["xfail"] * 2)]
+    many += [one("y", n, "no-reference") for n in range(ROWS - 5)]
+    assert "bounce:V0" in [*table(many, [])]
+    red = Finding(Aspect.RUN, "error", "it", "bounce", "V0", "a/x", bit=Bit.CRASH)
+    _, head, first, second, _ = table([*many, one("y", 99, "no-reference")], [red])
+    names = "scheme variants FAIL reported only known disagreement pass other error"
+    assert " ".join(head.split()) == names
+    assert first.split() == ["a/x", "5", "1", "-", "2", "2", "-", "1.0e-05"]
+    assert second.split() == ["a/y", str(ROWS - 4), "-", "-", "-", "-", str(ROWS - 4), "1.0e-05"]
+
+
+def test_schemes_are_told_by_code_and_outcome_one_by_name_and_more_by_number() -> None:
+    def none(label: str, status: str) -> Record:
+        return record(label, "T1", 1e-3, status=status, reason="no")
+
+    refused = [none(label, "refused") for label in ("a/x", "b/y", "b/z", "c/w")]
+    ran_too = record("c/w", "T2", 1e-3, quantities=[entry("pass", {"max": 0.0})])
+    said = unsupported([*refused, ran_too, none("d/v", "not-installed"), none("b/u", "too-long")])
+    assert said == "not supported: a/x, b (2 schemes); not installed: d/v; too long: b/u"

@@ -159,7 +159,7 @@ def _summary(every: Sequence[Row]) -> Iterator[str]:
     schemes: dict[str, list[Row]] = {}
     for row in every:
         schemes.setdefault(row.place[2], []).append(row)
-    wide = max(len(name) + 2 for name in schemes)
+    wide = max(len(name) + 2 for name in ("scheme", *schemes))
     yield ""
     heads = "".join(f"{head:>{len(head) + 2}}" for head in (*COUNTED, "other"))
     yield f"  {'scheme':<{wide}}{'variants':>8}{heads}{'error':>10}"

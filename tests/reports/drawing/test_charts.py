@@ -59,8 +59,43 @@ def test_markers_over_time_lie_between_each_other() -> None:
     assert chart.exact is None
 
 
+def test_the_grey_line_is_the_reference_of_the_first_scheme_that_has_one() -> None:
+    bare = dataclasses.replace(history(A, 0.1, 0.1), reference=None)
+    chart = charts.trajectory([bare, history(B, 0.1, 0.1)], "y")
+    assert chart is not None
+    assert chart.exact is not None
+    assert [part.tolist() for part in chart.exact] == [T.tolist(), WAVE.tolist()]
+    assert [bool(curve.joined.any()) for curve in chart.curves] == [True, False]
+
+
+def test_what_is_told_of_an_error_that_is_not_drawn_is_its_largest_over_time() -> None:
+    bump = History(B, None, T, WAVE * (1 + 8e-5 * (np.arange(13) == 4)), WAVE)
+    _, sunk = charts.relative_errors([history(A, 0.1, 0.1), bump])
+    assert sunk == {"b/b": pytest.approx(8e-5)}
+
+
 def point(dt: float | None, error: float | None, cpu: float = 1.0, timed: bool = True) -> Point:
     return Point(dt, error, cpu, timed, error is None)
+
+
+def test_slopes_beside_errors_rise_with_the_step_and_fall_with_the_cost() -> None:
+    steps, cost = charts.error_against_step(LADDERS, "e"), charts.error_against_cost(LADDERS, "e")
+    assert steps is not None
+    assert (steps.guides, cost.guides) == ((1, 2), (-1, -2))
+
+
+def test_rings_are_around_what_is_out_of_bounds_and_what_was_not_taken_on_is_nowhere() -> None:
+    bad = Point(0.1, 0.04, 1.0, True, troubling=True)
+    fine = Point(0.2, 0.01, 1.0, True, troubling=False)
+    refused = Point(0.05, None, 0.0, False, troubling=False, refused=True)
+    ladder = Ladder(A, None, (fine, bad, refused))
+    for chart in (
+        charts.error_against_step([ladder], "e"),
+        charts.error_against_cost([ladder], "e"),
+    ):
+        assert chart is not None
+        assert chart.curves[0].ringed.tolist() == [False, True]
+        assert chart.rims == ()
 
 
 LADDERS = [

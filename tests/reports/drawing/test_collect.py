@@ -108,6 +108,7 @@ def test_a_point_tells_error_and_cost_and_what_is_the_matter_with_it() -> None:
         ([1e-8, -2.0], [0.0, -2.0], False),
         ([1e-12, 2e-12], [0.0, 2e-12], False),
         ([1.0, -2.0], [1.0, -2.1], False),
+        ([1.0, -2.0], [1.0, -2.0 * (1 + 1e-6)], False),
         ([1.0, -2.0], [1.0, -2.0, 0.0], False),
         ([1.0, 1.0], [1.0], False),  # which would be spread over both
         ([1.0, -2.0], None, False),

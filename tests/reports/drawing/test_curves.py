@@ -142,7 +142,11 @@ def test_a_logarithmic_chart_has_six_per_cent_of_room_and_markers_of_unlike_size
     assert numbers(next(group.every("path", class_="dots")).named["d"]) == near(
         log_x(1e-3), log_y(1e-4), log_x(1e-2), log_y(1e-3), log_x(1e-1), log_y(1e-2)
     )
-    assert len([*drawn.every("g", class_="k8")]) == 1  # and the last has the smallest
+    (last,) = drawn.every("g", class_="k8")  # and the last has the smallest
+    ((x, y, dx, dy),) = paths(last, "line")  # two points are joined too
+    assert [x, y, x + dx, y + dy] == pytest.approx(
+        [log_x(1e-2), log_y(1e-3), log_x(3e-2), log_y(1e-3)], abs=0.15
+    )
 
 
 def test_guides_have_their_slope_from_the_top_right_or_the_top_left() -> None:
@@ -240,10 +244,10 @@ def test_the_grey_line_widens_a_linear_axis_and_a_curve_stays_four_pixels_off_it
 
 
 def test_dips_of_an_error_over_time_leave_the_axis_and_are_drawn_at_its_foot() -> None:
-    errors = [1e-2] * 50 + [1e-9] + [1e-3] * 49
+    errors = [1e-2] * 50 + [1e-9] + [1e-3] * 39 + [1e-4] * 10
     t = np.linspace(0.0, 4.0, 100).tolist()
     drawn = read(draw(Chart("t", "e", False, True, (curve(A, t, errors),))))
-    assert next(drawn.every("svg")).named["data-y"] == "-3.12 -1.88 1"
+    assert next(drawn.every("svg")).named["data-y"] == "-4.12 -1.88 1"
     feet = numbers(next(drawn.every("path", class_="dots")).named["d"])[1::2]
     assert max(feet) == 252
 
@@ -279,6 +283,8 @@ def test_a_curve_that_turns_back_has_no_zoom() -> None:
     both = dataclasses.replace(LINEAR, curves=(*LINEAR.curves, back))
     for chart, zooms in ((both, False), (LINEAR, True)):
         assert ("data-x" in next(read(draw(chart)).every("svg")).named) is zooms
+    jump = dataclasses.replace(LINEAR, curves=(curve(A, [0.0, 1.0, 1.0], [0.0, 1.0, 2.0]),))
+    assert "data-x" in next(read(draw(jump)).every("svg")).named
     log = dataclasses.replace(LOG, curves=(curve(A, [1e-1, 1e-2], [1e-1, 1e-2]),))
     assert "data-x" in next(read(draw(log)).every("svg")).named
 
