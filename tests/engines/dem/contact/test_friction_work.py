@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
+import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
+from cases.hard.resting import CASE
 from tests.engines.dem.test_momentum import falling
 from tests.engines.dem.test_space import colliding
+from tests.support.plain import plain
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
+from vv.engines.dem.contact.friction import at_limit, slip_force
 from vv.engines.dem.leapfrog import Leapfrog
-from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall
+from vv.scene import Contact, Form, Harmonic, Scene, Spheres, Vector, Wall
 
 SCHEMES = st.sampled_from([dem.CENTRED, dem.LAGGED])
 KN = 1e4
@@ -80,3 +86,38 @@ def test_a_contact_that_ends_within_a_step_does_give_some() -> None:
     taken, speed = lost(scene, dem.CENTRED, 5e-3)
     most = scene.contact.mu * scene.contact.kn * (5e-3 * speed.max()) ** 2 / 8
     assert -0.2 * most < np.diff(taken).min() < -0.02 * most
+
+
+def test_in_a_sheet_knocked_so_that_contacts_open_a_coarse_step_gives_a_millionth() -> None:
+    """The longest step of the case does so once, half of it never."""
+    given = CASE.defaults("knocked") | {"v": 3e-3}
+    study = CASE.declare("knocked", given).study
+    brought = 0.5 * given["m"] * given["v"] ** 2 * len(study.scene.spheres)
+
+    def falls(dt: float) -> float:
+        ask = study.ask(Knobs(dt))
+        every = dataclasses.replace(ask, goal=History(0.1, 2e-4), energies=(Form.FRICTION,))
+        taken = dem.solve_default(every).energies[Form.FRICTION]
+        assert taken[-1] > 0.6 * brought
+        return float((np.maximum.accumulate(taken) - taken).max()) / brought
+
+    assert 8e-7 < falls(2e-4) < 1e-6
+    assert falls(1e-4) == 0.0
+
+
+def test_where_slip_turns_and_the_limit_falls_no_force_within_it_would_take_energy() -> None:
+    """The force before exceeds the limit after, so its mean with any new force is along the slip.
+
+    Along the line a force f takes -(old + f)/2 (f - trial)/ks, and trial < -limit <= f.
+    """
+    old, ks, limit, trial = 1.0, 50.0, 0.4, -0.7
+    slide = (old - trial) / ks
+    before, moved = (old, 0.0, 0.0), (slide, 0.0, 0.0)
+    _, taken = plain(slip_force)(
+        before, (trial, 0.0, 0.0), moved, (0.0, 0.0, 0.0), ks, (1.2, limit)
+    )
+    assert taken == pytest.approx(-0.5 * (old - limit) * (-limit - trial) / ks)
+    for cap in np.linspace(0.01, limit, 9):
+        for way in (1.0, -1.0):
+            _, other = plain(at_limit)(before, (way, 0.0, 0.0), moved, ks, float(cap))
+            assert other <= taken < 0.0

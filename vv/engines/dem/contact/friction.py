@@ -130,7 +130,9 @@ def slip_force_with(
     The dissipated energy is the slip (the slide minus its elastic part) times the mean of the old
     and the new force. Where the slide reverses, the direction from `slip_direction` could make this
     negative. Then the new force is taken along the trial force, which dissipates energy also where
-    the old force is below the limit.
+    the old force is below the limit after the step. If it is above that limit, since the contact
+    opens, and the trial force points against it, the mean force is along the slip for any new force
+    within the limit: the energy is then negative, by at most mu kn (v dt)^2/8.
     """
     new, taken = at_limit(
         old, slip_direction(old, trial, slide, change, caps, x, fading), slide, ks, caps[1]
