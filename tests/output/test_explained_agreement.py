@@ -149,6 +149,8 @@ def test_a_result_is_told_at_its_step_and_stiffness_and_one_without_numbers_with
     run = record("a/x", "T1", 1e-3, rung={"dt": 1e-3, "kn": 1e9},
                  quantities=[entry("fail", {"max": 2e-3})])  # fmt: skip
     assert explain._in_words(run) == "dt 0.001 kn 1e+09: fail: y: error 0.002, allowed 0.001"
+    damped = changed(run, rung={"dt": 1e-3, "kn": None, "dd": 0.0})
+    assert explain._in_words(damped).startswith("dt 0.001 dd 0: ")
     none = record("a/x", "T1", None, status="refused", reason="it has no walls")
     assert explain._in_words(none) == "not supported: it has no walls"
 

@@ -44,6 +44,14 @@ def test_the_order_is_that_in_dt_at_the_stiffest_springs() -> None:
     assert row.order == pytest.approx(2.0, abs=1e-9)
 
 
+def test_a_setting_is_told_with_every_knob_also_with_one_that_is_nil() -> None:
+    for dd, said in ((0.97, "dt=0.001,kn=1e+07,dd=0.97"), (0.0, "dt=0.001,kn=1e+07,dd=0")):
+        known = [entry("pass", {"max": 1e-5})]
+        rung = {"dt": 1e-3, "kn": 1e7, "dd": dd}
+        (row,) = rows([record("a/a", "T1", 1e-3, rung=rung, quantities=known)], [])
+        assert row.setting == said
+
+
 def test_the_quantity_that_is_closest_to_its_bound_is_shown() -> None:
     near = entry("pass", {"max": 9e-5}, name="near", tolerance=1e-4)
     large = entry("pass", {"max": 5e-3}, name="large", tolerance=1e-1)

@@ -143,3 +143,18 @@ def test_the_least_error_and_the_most_accurate_setting_need_not_be_the_last() ->
     )
     assert words(shown).startswith("a/default 2.0e-03 ~1 ms")
     assert shown.endswith("dt = 0.001 s")
+    records = [record("a", row) for row in untouched(rises)]
+    priced = [dataclasses.replace(one, cost=dataclasses.replace(one.cost, solve_cpu=seconds))
+              for one, seconds in zip(records, (1.0, 2.0, 4.0), strict=True)]  # fmt: skip
+    *_, shown = speed_text.indicative(untimed(manifest(*priced)))
+    assert words(shown).startswith("a/default 2.0e-03 ~2 s")
+
+
+@pytest.mark.parametrize(
+    ("untimed", "said"), [([], []), (["fall"], ["fall"]), (["a", "b"], ["a, b"])]
+)
+def test_cases_that_are_not_timed_are_named(untimed: list[str], said: list[str]) -> None:
+    lines = [*speed_text.beside(untimed)]
+    assert [line.partition(", and other variants")[0] for line in lines] == [
+        f"\nnot timed: {names}" for names in said
+    ]

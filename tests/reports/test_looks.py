@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
+import numpy as np
+import pytest
+
 import reports
-from reports.marks import COLOURS, mark, marks
+from reports.marks import COLOURS, DASHES, ROUND, SHAPES, Mark, mark, marks
 
 DDA = ("default", "published", "lagged", "generalised-alpha", "augmented-lagrangian")
 BUILT_IN = [
@@ -69,3 +73,37 @@ def test_words_of_a_drawing_that_is_shown_again_are_styled_by_rules_without_an_a
     sheet = (Path(reports.__file__).parent / "assets" / "report.css").read_text()
     for word in ("text", ".mid", ".body", ".rule", ".hatch", ".arrow"):
         assert re.search(rf"^{re.escape(word)} {{", sheet, re.MULTILINE), word
+
+
+def test_a_look_is_the_colour_of_a_code_the_dash_of_a_scheme_and_the_shape_of_both() -> None:
+    assert mark("yade/published").shape == ROUND  # 3 1 + 4 2 = 11 of eleven shapes
+    assert mark("liggghts/half-step-mass").shape == SHAPES[10]
+    assert (mark("exact/clump").colour, mark("exact/clump").dash) == (3, DASHES[5])
+    assert mark("kratos/augmented-lagrangian").shape == SHAPES[(24 + 36) % 11]
+    other = mark("zzz/default")
+    assert 0 <= other.colour < len(COLOURS)
+    assert len({mark(name).colour for name in ("zzz/a", "yyy/a", "xxx/a", "www/a")}) > 1
+
+
+def test_shapes_are_regular_and_upright_within_about_a_unit() -> None:
+    square, triangle, diamond = SHAPES[1:4]
+    half = 1.15 * math.sqrt(0.5)
+    assert np.array(square) == pytest.approx(
+        np.array([(half, half), (half, -half), (-half, -half), (-half, half)])
+    )
+    side = 1.1 * math.sqrt(0.75)
+    assert np.array(triangle) == pytest.approx(np.array([(0, 1.1), (side, -0.55), (-side, -0.55)]))
+    assert np.array(diamond) == pytest.approx(
+        np.array([(0, 1.15), (1.15, 0), (0, -1.15), (-1.15, 0)]), abs=1e-12
+    )
+    assert np.array(SHAPES[4]) == pytest.approx(-np.array(triangle), abs=1e-12)  # points down
+    assert np.array(SHAPES[7][0]) == pytest.approx([1.1, 0.0], abs=1e-12)  # and right, and left
+    assert np.array(SHAPES[9][0]) == pytest.approx([-1.1, 0.0], abs=1e-12)
+    cross = np.array(SHAPES[5])
+    assert cross[:3].tolist() == [[-0.33, 0.95], [0.33, 0.95], [0.33, 0.33]]
+    assert cross[3:6].tolist() == [[0.95, 0.33], [0.95, -0.33], [0.33, -0.33]]
+    radii = np.linalg.norm(SHAPES[6], axis=1)
+    assert radii == pytest.approx([1.1, 0.5] * 5)
+    star = np.unwrap(np.arctan2(*np.array(SHAPES[6]).T))
+    assert np.diff(star) == pytest.approx(np.full(9, math.pi / 5))
+    assert Mark("a/a", 0, ((0.5, 0.25), (-0.125, -1.0)), "").points == "0.5,-0.25 -0.12,1"

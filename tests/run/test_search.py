@@ -16,6 +16,7 @@ from tests.scenes.small_scenes import ball
 from vv.ask import (
     Ask,
     Bracket,
+    Cost,
     Displacement,
     History,
     Knobs,
@@ -31,7 +32,7 @@ from vv.codes import Found, no_steps
 from vv.records.checking import checked
 from vv.records.outcomes import Verdict
 from vv.records.record import measured
-from vv.run.search import answers
+from vv.run.search import _sum, answers
 from vv.scene import Contact, Harmonic, Pulse, Scene, Vector
 from vv.store.store import Store
 
@@ -108,6 +109,20 @@ def test_several_searches_take_their_rounds_together() -> None:
     assert code.calls == 3
     assert [len(run.tried) for run in both] == [15, 10]
     assert all((np.diff(run.tried[:, 0]) > 0).all() for run in both)
+
+
+def test_its_cost_is_that_of_all_steps_that_were_tried_and_of_whole_processes_if_any_is() -> None:
+    one, other = (Cost(1.0, 2.0, cpu, 4.0, 5.0, repeats=3) for cpu in (0.5, 0.25))
+    assert _sum([one, other]) == Cost(2.0, 4.0, 0.75, 8.0, 10.0)
+    assert _sum([one, dataclasses.replace(other, whole=True)]).whole
+
+
+def test_each_step_that_is_tried_is_asked_with_the_other_knobs_as_they_are() -> None:
+    """Once, kinetic damping was left out and the result told as one with it."""
+    first = study(Bracket(8.0, BOUND, 5)).ask(Knobs(1.0, 1e6, 0.5))
+    tried = first.at(4.0)
+    assert (tried.knobs, tried.search) == (Knobs(4.0, 1e6, 0.5), None)
+    assert tried.goal == History(4 * first.goal.duration, 4 * first.goal.interval)
 
 
 def test_where_nothing_is_unstable_the_longest_step_is_the_answer() -> None:

@@ -42,7 +42,7 @@ class Ask:
         """The same question at another step [s], over as many steps and without a search."""
         ratio = dt / (self.knobs.dt or dt)
         goal = History(self.goal.duration * ratio, self.goal.interval * ratio)
-        knobs = Knobs(dt, self.knobs.kn)
+        knobs = replace(self.knobs, dt=dt)
         return Ask(self.scene, goal, self.observables, knobs, energies=self.energies)
 
     def shaken(self, times: float) -> Ask:

@@ -159,8 +159,8 @@ def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[s
 
 def _in_words(record: Record) -> str:
     errors = "; ".join(map(_quantity_in_words, record.quantities))
-    knobs = (("dt", record.rung.dt), ("kn", record.rung.kn))
-    at = " ".join(f"{knob} {value:g}" for knob, value in knobs if value)
+    knobs = (("dt", record.rung.dt), ("kn", record.rung.kn), ("dd", record.rung.dd))
+    at = " ".join(f"{knob} {value:g}" for knob, value in knobs if value is not None)
     came = in_words(outcome(record))
     return f"{at}{': ' if at else ''}{came}: {errors or record.reason}"
 

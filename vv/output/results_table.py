@@ -86,8 +86,8 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
 
 def _setting(knobs: Knobs) -> str:
     """The knobs in short form, dt=5e-05,kn=1e+09."""
-    named = (("dt", knobs.dt), ("kn", knobs.kn))
-    return ",".join(f"{name}={value:g}" for name, value in named if value)
+    named = (("dt", knobs.dt), ("kn", knobs.kn), ("dd", knobs.dd))
+    return ",".join(f"{name}={value:g}" for name, value in named if value is not None)
 
 
 def _closeness(one: MeasuredQuantity) -> float:

@@ -64,7 +64,7 @@ class Job:
     @property
     def label(self) -> str:
         """The job as shown to people: case:variant code/scheme knobs."""
-        knobs = ",".join(f"{k}={v:g}" for k, v in dataclasses.asdict(self.ask.knobs).items() if v)
+        knobs = ",".join(f"{k}={v:g}" for k, v in vars(self.ask.knobs).items() if v is not None)
         return f"{self.name} {knobs}".rstrip()
 
     @property

@@ -140,4 +140,5 @@ def _reach(run: Run) -> float:
 def _sum(costs: Sequence[Cost]) -> Cost:
     """The total cost of several runs; start-up of a shared program is counted with the first."""
     names = ("startup", "setup", "solve_cpu", "solve_wall", "output")
-    return Cost(**{name: sum(getattr(cost, name) for cost in costs) for name in names})
+    total = {name: sum(getattr(cost, name) for cost in costs) for name in names}
+    return Cost(**total, whole=any(cost.whole for cost in costs))

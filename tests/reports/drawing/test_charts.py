@@ -11,7 +11,7 @@ import pytest
 from reports.drawing import charts
 from reports.drawing.collect import History, Ladder, Point
 from reports.drawing.gallery import cost_figures, figures
-from reports.marks import COLOURS, DASHES, ROUND, SHAPES, Mark, mark
+from reports.marks import Mark
 from tests.support.fabricated import case
 from vv.case import Norm
 
@@ -150,81 +150,6 @@ def test_shares_are_stairs_that_end_at_twice_the_largest() -> None:
     assert curve.y.tolist() == [0.25, 0.25, 0.5, 0.5, 0.75, 0.75]
     assert curve.marked.tolist() == [True, False] * 3
     assert charts.shares([(B, [math.inf])], "share") is None
-
-
-def test_captions_name_what_is_on_the_rims_and_what_has_no_cost() -> None:
-    (steps,) = figures([], LADDERS, QUANTITY, Norm.MAX)
-    assert steps.caption == (
-        "Dashed: slopes for comparison. Crossed on the upper edge, without a result: a/a. "
-        "On the lower edge, below the axis: c/c and d/d."
-    )
-    assert steps.alt.endswith("of 4 schemes, least c/c 5.00e-6, most d/d 0 to 2.00e-2")
-    (cost,) = cost_figures(LADDERS, QUANTITY, Norm.MAX)
-    assert cost.caption == (
-        "Filled, joined: timed alone on one core; grey: the Pareto front. Hollow: indicative. One "
-        "solve, without start-up. Crossed on the upper edge, without a result: a/a. On the "
-        "lower edge, below the axis: c/c and d/d. Not drawn, no cost measured at some setting: d/d."
-    )
-    assert "least c/c 5.00e-6 for 9.00e0 s, most d/d 2.00e-2 for 0 s" in cost.alt
-    (cost,) = cost_figures(LADDERS[1:3], QUANTITY, Norm.MAX)
-    assert cost.caption.startswith("Timed alone on one core; grey: the Pareto front.")
-    lost = [Ladder(A, None, (point(0.1, None),)), Ladder(B, None, (point(0.2, 0.0),))]
-    assert len(figures([], lost, QUANTITY, Norm.MAX)) == 1  # a cross is something to draw
-    assert figures([], lost[1:], QUANTITY, Norm.MAX) == []
-    assert cost_figures(lost[1:], QUANTITY, Norm.MAX) == []
-
-
-def test_captions_over_time_name_the_steps_that_are_not_the_usual_one() -> None:
-    over = [
-        history(A, 0.1, 0.1),
-        history(B, 0.1, 0.2),
-        history(C, 0.05, 0.4),
-        history(D, None, 1e-5),
-    ]
-    value, relative = figures(over, [], QUANTITY, Norm.MAX)
-    assert value.caption == (
-        "Finest setting of each, dt = 0.1 s, but c/c 0.05 s; the grey line is the reference."
-    )
-    assert relative.caption.endswith("of its maximum. Not drawn, far below: d/d (at most 1.0e-5).")
-    assert relative.alt.endswith("a/a 1.00e-1, b/b 2.00e-1, c/c 4.00e-1, d/d (at most 1.0e-5)")
-    alike, _ = figures(over[:2], [], QUANTITY, Norm.MAX)
-    assert alike.caption == "Finest setting, dt = 0.1 s; the grey line is the reference."
-    exact, _ = figures(over[3:], [], QUANTITY, Norm.MAX)
-    assert exact.caption.startswith("No code here has a time step")
-
-
-def test_a_look_is_the_colour_of_a_code_the_dash_of_a_scheme_and_the_shape_of_both() -> None:
-    assert mark("yade/published").shape == ROUND  # 3 1 + 4 2 = 11 of eleven shapes
-    assert mark("liggghts/half-step-mass").shape == SHAPES[10]
-    assert (mark("exact/clump").colour, mark("exact/clump").dash) == (3, DASHES[5])
-    assert mark("kratos/augmented-lagrangian").shape == SHAPES[(24 + 36) % 11]
-    other = mark("zzz/default")
-    assert 0 <= other.colour < len(COLOURS)
-    assert len({mark(name).colour for name in ("zzz/a", "yyy/a", "xxx/a", "www/a")}) > 1
-
-
-def test_shapes_are_regular_and_upright_within_about_a_unit() -> None:
-    square, triangle, diamond = SHAPES[1:4]
-    half = 1.15 * math.sqrt(0.5)
-    assert np.array(square) == pytest.approx(
-        np.array([(half, half), (half, -half), (-half, -half), (-half, half)])
-    )
-    side = 1.1 * math.sqrt(0.75)
-    assert np.array(triangle) == pytest.approx(np.array([(0, 1.1), (side, -0.55), (-side, -0.55)]))
-    assert np.array(diamond) == pytest.approx(
-        np.array([(0, 1.15), (1.15, 0), (0, -1.15), (-1.15, 0)]), abs=1e-12
-    )
-    assert np.array(SHAPES[4]) == pytest.approx(-np.array(triangle), abs=1e-12)  # points down
-    assert np.array(SHAPES[7][0]) == pytest.approx([1.1, 0.0], abs=1e-12)  # and right, and left
-    assert np.array(SHAPES[9][0]) == pytest.approx([-1.1, 0.0], abs=1e-12)
-    cross = np.array(SHAPES[5])
-    assert cross[:3].tolist() == [[-0.33, 0.95], [0.33, 0.95], [0.33, 0.33]]
-    assert cross[3:6].tolist() == [[0.95, 0.33], [0.95, -0.33], [0.33, -0.33]]
-    radii = np.linalg.norm(SHAPES[6], axis=1)
-    assert radii == pytest.approx([1.1, 0.5] * 5)
-    star = np.unwrap(np.arctan2(*np.array(SHAPES[6]).T))
-    assert np.diff(star) == pytest.approx(np.full(9, math.pi / 5))
-    assert Mark("a/a", 0, ((0.5, 0.25), (-0.125, -1.0)), "").points == "0.5,-0.25 -0.12,1"
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import dataclasses
 from xml.etree import ElementTree
 
 import numpy as np
+import pytest
 
 from cases.blocks.responding_block import CASE
 from cases.stability.stability_map import CASE as STABILITY
@@ -61,6 +62,33 @@ def test_there_is_no_map_where_steps_follow_the_stiffness() -> None:
     assert error_map([*FULL[:2], ladder("one", 1e10, {1e-4: 0.1, 1e-5: 0.1})]) is None
     assert error_map(FULL[:1]) is None
     assert error_map([]) is None
+
+
+@pytest.mark.parametrize(
+    ("counts", "mapped"), [((2, 2), False), ((2, 3), True), ((3, 2), True), ((1, 3), False)]
+)
+def test_a_map_has_two_of_one_and_three_of_the_other_at_least(
+    counts: tuple[int, int], mapped: bool
+) -> None:
+    errors: dict[float, float | None] = {10.0**-n: 0.1 for n in range(counts[1])}
+    rows = [ladder("one", 10.0**n, errors) for n in range(counts[0])]
+    assert (error_map(rows) is not None) is mapped
+
+
+def test_errors_that_are_all_nil_and_stiffnesses_without_a_critical_step_have_no_map() -> None:
+    nil: dict[float, float | None] = {1e-3: 0.0, 1e-4: None}
+    assert error_map([ladder("one", kn, nil) for kn in (1e7, 1e8, 1e9)]) is None
+    rows = [related(kn, {2.0: 0.2, 0.1: 0.1}) for kn in (*CRITICAL, 1e5) if kn]
+    heat = error_map(rows, CRITICAL)
+    assert heat is not None
+    assert [panel.kn.tolist() for panel in heat.panels] == [[1e4, 1e7, 1e12]]
+
+
+def test_an_error_of_100_per_cent_is_lost_and_a_little_less_is_not() -> None:
+    errors: dict[float, float | None] = {1e-3: 1.0, 1e-4: 0.999}
+    heat = error_map([ladder("one", kn, errors) for kn in (1e7, 1e8, 1e9)])
+    assert heat is not None
+    assert heat.panels[0].lost().tolist() == [[False, True]] * 3
 
 
 def test_a_code_without_steps_has_no_map_over_the_critical_step() -> None:
@@ -147,6 +175,7 @@ def test_a_point_too_long_to_run_is_a_dot_and_neither_lost_nor_refused() -> None
     assert not panel.lost().any()
     (figure,) = figures([], rows, QUANTITY, Norm.MAX, CRITICAL)
     assert figure.caption.endswith(" Dot: not run, since it would need too many steps.")
+    assert "Dash" not in figure.caption
     dots = draw_map(heat)
     bare = dataclasses.replace(panel, too_long=np.zeros((3, 2), bool))
     assert dots != draw_map(dataclasses.replace(heat, panels=(bare,)))

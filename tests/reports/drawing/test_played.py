@@ -121,3 +121,16 @@ def test_forty_frames_of_the_first_quantity_and_a_dozen_that_move_bodies() -> No
     assert len(json.loads(playback({"y": [long]}, facts(2.0)))["exact"][0][2]) == 40
     many = {f"q{k}": Moved((0, 1), (0, 0)) for k in range(14)}
     assert moving(dataclasses.replace(facts(2.0), moved=many)) == ["y", *[*many][:12]]
+
+
+def test_what_moves_is_counted_among_what_has_an_exact_motion() -> None:
+    """A quantity without one stands before it, and is neither told nor counted."""
+    over = {"y": [history("a/a", Y, None)], "z": [history("bb/b", Z + 1.0, Z)]}
+    found = json.loads(playback(over, facts(2.0)))
+    assert [name for name, _, _ in found["exact"]] == ["zeta"]
+    assert [*found["codes"]] == ["bb/b"]
+    assert len(found["codes"]["bb/b"][1]) == 1
+    assert [move[0] for move in found["moves"]] == [0]
+    first = {"y": [history("a/a", Y, Y)], "z": [history("bb/b", Z, Z)]}
+    only = dataclasses.replace(facts(2.0), moved={"z": Moved((0, 0), (2, 3), along=(0.6, 0.8))})
+    assert [move[0] for move in json.loads(playback(first, only))["moves"]] == [1]

@@ -146,3 +146,9 @@ def test_the_axis_of_biases_reaches_as_far_as_any_bar(
     bias, either = factor.bias or 0.0, 2 * (factor.scatter or 0.0)
     ends = bias * max(1 - either, 0.2), bias * (1 + either)
     assert paths(drawn, "line") == [near(across(ends[0], most), 23, across(ends[1], most))]
+
+
+def test_slots_stand_by_what_was_measured_and_not_by_what_was_computed() -> None:
+    kind = Kind("case: one", "s", {A: [compared("p", 1.0, 5.0, 0.1, True),
+                                       compared("q", 9.0, 2.0, 0.1, True)]})  # fmt: skip
+    assert [*kind.slots] == ["q", "p"]

@@ -71,6 +71,16 @@ def test_panels_have_shares_above_and_ticks_where_no_panel_is_in_the_way(four: N
     assert [numbers(one) for one in turned] == [near(9, 142, -90)]
 
 
+def test_a_point_that_is_found_twice_counts_twice_and_each_mode_has_its_sign() -> None:
+    points = [((10.0, 20.0), mode, True) for mode in (0, 0, 2, 3, 4)]
+    drawn = read(draw_regions(CHART, [Found(Mark("a/a", 0, (), ""), points)]))
+    assert "a/a: 5 of 5" in [said for said, _, _ in texts(drawn, "mid")]
+    signs = [one[2:] for one in paths(drawn, "mode")]
+    triangle, diamond = [0, -3, 3, 5.2, -6], [0, -3.2, 3.2, 3.2, -3.2, 3.2, -3.2, -3.2]
+    assert [len(one) for one in signs] == [12, 5, 8, 6]
+    assert signs[1:] == [near(*triangle), near(*diamond), near(*PLUS)]
+
+
 def test_a_scheme_alone_has_the_whole_width() -> None:
     drawn = read(draw_regions(CHART, [Found(Mark("a/a", 0, (), ""), [])]))
     assert paths(drawn, "grid") == [near(40, 16, 430, 118, -430)]
