@@ -15,7 +15,14 @@ LAGS = Method.LAGGING
 @pytest.mark.parametrize("dt", [1e-3, 5e-4, 1e-4])
 @pytest.mark.parametrize(
     ("variant", "given"),
-    [("3d", {"D": 0.15}), ("2d", {"f": 20.0, "fy": 15.0}), ("2d", {})],
+    [
+        ("3d", {"D": 0.15}),
+        ("2d", {"f": 20.0, "fy": 15.0}),
+        ("2d", {}),
+        ("3d-turning", {"f": 0.707, "g": 14.4}),
+        ("3d-turning", {"f": 1.11, "Dy": 0.1669, "fz": 0.849}),
+        ("3d-turning", {"D": 0.0452, "f": 0.9665, "Dy": 0.0341}),
+    ],
     ids=str,
 )
 def test_rigid_follows_slip_that_all_but_stops(

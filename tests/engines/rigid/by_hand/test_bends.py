@@ -11,8 +11,9 @@ import pytest
 from tests.engines.rigid.by_hand.test_free_motion import BASE, OTHER, SHAKEN, begun, rate
 from tests.engines.rigid.by_hand.test_midstep import a_trial, at_contact
 from vv.engines.rigid.general import bends
-from vv.engines.rigid.general.bends import along_groove, sag_by_motions, set_turns
+from vv.engines.rigid.general.bends import add_friction, along_groove, sag_by_motions, set_turns
 from vv.engines.rigid.slip import bend
+from vv.engines.rigid.solver.assembly import Bodies, apply
 from vv.engines.rigid.solver.cone import Friction
 from vv.scene import Vector
 
@@ -77,29 +78,63 @@ def test_a_velocity_is_that_which_all_walls_that_press_a_block_allow(
     assert found == pytest.approx(unit * np.array(due), abs=1e-9 * unit)
 
 
+class Slipping:
+    """Four contacts of which one has no slip at the start and one does not press."""
+
+    def __init__(self) -> None:
+        self.setting, _, _ = begun()
+        self.joints, random = a_trial().joints, np.random.default_rng(8)
+        inverse, spins = random.uniform(0.5, 2.0, size=(2, 5, 3, 1)) * np.eye(3)
+        inverse[2:] = spins[2:] = 0.0  # walls
+        self.bodies = Bodies(inverse, spins, np.zeros((5, 3)))
+        self.motion = 0.1 * random.normal(size=(4, 5, 3))
+        self.motion[[0, 2], :2] += [3.0, 0.0, 0.0]
+        self.p = 0.01 * self.joints.normal + 0.001
+        self.p[2] = -0.01 * self.joints.normal[2]
+        d = self.joints.normal[:, [1, 0, 2]] * [1.0, -1.0, 0.0]
+        d[1] = 0.0
+        self.friction = Friction(0.4, np.zeros(4), d, np.full((4, 3), 7.0))
+
+    def flat(self, c: int, u: Any) -> Vector:
+        """The part of a vector in the tangent plane of a contact."""
+        n = self.joints.normal[c]
+        return np.asarray(np.asarray(u) - np.dot(u, n) * n)
+
+    def pulled(self) -> Vector:
+        """What friction gives the bodies (2, 5, 3): all of it where contacts slip."""
+        gained = np.zeros((2, 5, 3))
+        for c in range(4):
+            along = self.flat(c, self.p[c])
+            if c in (0, 3):
+                along *= 0.4 * (self.p[c] @ self.joints.normal[c]) / np.linalg.norm(along)
+            apply(self.joints, c, self.bodies, gained[0], gained[1], tuple(along))
+        return gained
+
+
+def test_friction_of_all_contacts_counts_at_each() -> None:
+    of = Slipping()
+    found = np.zeros((2, 5, 3))
+    add_friction(of.joints, of.bodies, of.friction, of.p, *found)
+    assert np.abs(found).max() > 1e-6
+    assert found == pytest.approx(of.pulled(), abs=1e-12)
+
+
 def test_friction_turns_by_the_bend_of_each_slip(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of four contacts one has no slip at the start and one does not press."""
-    setting, _, _ = begun()
-    trial = a_trial()
-    joints, random = trial.joints, np.random.default_rng(8)
-    v_old, w_old, v, w = 0.1 * random.normal(size=(4, 5, 3))
-    v_old[:2] += [3.0, 0.0, 0.0]
-    v[:2] += [3.0, 0.0, 0.0]
-    p = 0.01 * joints.normal + 0.001
-    p[2] = -0.01 * joints.normal[2]
-    d = joints.normal[:, [1, 0, 2]] * [1.0, -1.0, 0.0]
-    d[1] = 0.0
-    friction = Friction(0.4, np.zeros(4), d, np.full((4, 3), 7.0))
+    of = Slipping()
+    joints, friction, p = of.joints, of.friction, of.p
     monkeypatch.setattr(bends, "along_groove", lambda sag, *_: tuple(0.5 * np.array(sag)))
-    given: Any = (setting, NOW, SPAN, joints, friction, p, v_old, w_old, v, w)
+    given: Any = (of.setting, NOW, SPAN, joints, of.bodies, friction, p, *of.motion)
     assert set_turns(*given)
     for c in (0, 3):
-        n = joints.normal[c]
-        before, after = at_contact(joints, c, v_old, w_old), at_contact(joints, c, v, w)
-        flat = [tuple(u - u @ n * n) for u in (before, after)]
-        aside = tuple(0.5 * sag(setting, 0, {0: BASE, 3: None}[c]))
-        due = bend(flat[0], aside, flat[1], 0.4 * (p[c] @ n) * joints.along[c])
+        before, after, pulled = (
+            tuple(of.flat(c, at_contact(joints, c, *motion)))
+            for motion in (of.motion[:2], of.motion[2:], of.pulled())
+        )
+        aside = tuple(0.5 * sag(of.setting, 0, {0: BASE, 3: None}[c]))
+        due = bend(before, aside, after, float(np.linalg.norm(pulled)))
         assert np.linalg.norm(due) > 1e-6
         assert friction.turn[c] == pytest.approx(due)
     assert (friction.turn[1:3] == 7.0).all()
-    assert not set_turns(setting, NOW, SPAN, joints, friction._replace(d=0.0 * d), *given[5:])
+    still: Any = friction._replace(d=0.0 * friction.d)
+    given = (*given[:5], still, *given[6:])
+    assert not set_turns(*given)

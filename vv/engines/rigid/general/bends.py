@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from vv.engines.kernels.arrays import zero_rows
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean, one_of, rate
 from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.slip import bend
-from vv.engines.rigid.solver.assembly import Joints, relative, times
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
 from vv.engines.rigid.solver.cone import Friction
 from vv.scene import Vector
 
@@ -17,28 +18,58 @@ ZERO = (0.0, 0.0, 0.0)
 ALIKE = 1e-7  # sine of the angle below which two normals are the same
 
 
-@lent
+@called
 def set_turns(
-    setting: Setting, now: float, span: float, joints: Joints, friction: Friction, p: Vector,
-    v_old: Vector, w_old: Vector, v: Vector, w: Vector,
+    setting: Setting, now: float, span: float, joints: Joints, bodies: Bodies,
+    friction: Friction, p: Vector, v_old: Vector, w_old: Vector, v: Vector, w: Vector,
 ) -> bool:  # fmt: skip
     """Set friction.turn (see `bend`) from the present velocities; return whether any is nonzero."""
-    there = False
+    there, dv, dw = False, zero_rows(len(v)), zero_rows(len(w))
+    add_friction(joints, bodies, friction, p, dv, dw)
     for c in range(len(p)):
-        n, d = at(joints.normal, c), at(friction.d, c)
-        normal = dot(at(p, c), n)
-        if dot(d, d) == 0.0 or normal <= 0.0:
+        if not slips(joints, friction, p, c):
             continue
-        before, after = relative(joints, c, v_old, w_old), relative(joints, c, v, w)
+        before, after = flat(joints, c, v_old, w_old), flat(joints, c, v, w)
         sag = sag_by_motions(setting, now, span, joints, c)
         if dot(sag, sag) > 0.0:
             sag = along_groove(sag, joints, c, p, len(setting.mass))
-        pull = friction.mu * normal * joints.along[c]
-        before, after = add_scaled(before, -dot(before, n), n), add_scaled(after, -dot(after, n), n)
-        turn = bend(before, sag, after, pull)
+        pulled = flat(joints, c, dv, dw)
+        turn = bend(before, sag, after, np.sqrt(dot(pulled, pulled)))
         put(friction.turn, c, turn)
         there = there or dot(turn, turn) > 0.0
     return there
+
+
+@lent
+def add_friction(
+    joints: Joints, bodies: Bodies, friction: Friction, p: Vector, v: Vector, w: Vector
+) -> None:
+    """Add to v, w (b, 3) what friction gives the bodies if it keeps its mean direction in a step.
+
+    Where slip turns, impulses are shorter than what friction adds up to.
+    """
+    for c in range(len(p)):
+        n = at(joints.normal, c)
+        normal = dot(at(p, c), n)
+        along = add_scaled(at(p, c), -normal, n)
+        size = np.sqrt(dot(along, along))
+        if size > 0.0 and slips(joints, friction, p, c):
+            along = add_scaled(ZERO, friction.mu * normal / size, along)
+        apply_nonzero(joints, c, bodies, v, w, along)
+
+
+@lent
+def slips(joints: Joints, friction: Friction, p: Vector, c: int) -> bool:
+    """Whether contact c is pressed and slips at the start of the step."""
+    d = at(friction.d, c)
+    return dot(d, d) > 0.0 and dot(at(p, c), at(joints.normal, c)) > 0.0
+
+
+@lent
+def flat(joints: Joints, c: int, v: Vector, w: Vector) -> Triple:
+    """The tangential part of the relative velocity at contact c [m/s]."""
+    n, u = at(joints.normal, c), relative(joints, c, v, w)
+    return add_scaled(u, -dot(u, n), n)
 
 
 @called

@@ -34,6 +34,7 @@ from vv.engines.rigid.general.lever_arms import turned_back
 from vv.engines.rigid.general.setting import Setting, State, fastest_speed, shift_at
 from vv.engines.rigid.general.step import Trial, attempt, no_past
 from vv.engines.rigid.general.turning import turn_by
+from vv.engines.rigid.general.veering import time_of_even_slip
 from vv.engines.rigid.limits import (
     APART,
     BRIEF,
@@ -146,7 +147,8 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     the trapezoidal rule, contacts as in `vv.engines.rigid.solver.cone` with
     need = -max(gap - slack, 0)/h. Penetration is removed from positions alone, by the least
     displacement. With at most SMALL blocks, a step is divided where a contact closes at a finite
-    velocity, where a slip ends and, once, where one begins.
+    velocity, where a slip ends and, once, where one begins; and it is halved where a slow slip
+    turns.
 
     Every `stride` steps a row is written. path (k, b, 9): displacement, velocity and spin of the
     watched blocks. energy (k, 8) [J]: kinetic, lost by friction, lost by impact, work of walls, of
@@ -211,6 +213,11 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     span = time_to_slip_start(setting, state, past, now, whole, dt, contacts, trial)
                 if span < whole:
                     trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
+                if divisible and not impact:
+                    whole = span
+                    span = time_of_even_slip(setting, state, past, now, whole, dt, contacts, trial)
+                    if span < whole:
+                        trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
                 from_here = same_rows(state.centre, n)
                 before = State(
                     from_here, state.moved, state.rotation, state.v, same_rows(state.w, n)

@@ -215,7 +215,7 @@ def solved(
             ended[c] = slips and dot(u, d) <= least
             any_ended = any_ended or ended[c]
     for _ in range(0 if any_ended else setting.bends):
-        turns = set_turns(setting, now, span, joints, friction, p, v_old, w_old, v, w)
+        turns = set_turns(setting, now, span, joints, bodies, friction, p, v_old, w_old, v, w)
         moved = act_at_midstep(p, acted, joints, middle, turn, bodies, v, w)
         if not turns and moved <= tolerance:
             break

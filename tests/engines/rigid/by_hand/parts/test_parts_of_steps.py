@@ -27,14 +27,15 @@ from vv.engines.rigid.limits import (
 pytestmark = pytest.mark.usefixtures("in_python")
 DT, SLACK, FAST, PULL = 0.01, 3e-9, 2.0, 20.0
 WIDE = SLACK + HITS * DT * FAST
-ASKED = ("begun", "ended", "landing", "ends", "starts", "acted", "may")
+ASKED = ("begun", "ended", "landing", "ends", "starts", "acted", "may", "even")
 
 
 class Told:
     """A step of some blocks; what each question is answered by, in turn, and then by no event.
 
     begun, ended: whether slip does in a trial; landing, ends, starts: times in steps; acted:
-    whether an impact did; may: whether a contact may slip.
+    whether an impact did; may: whether a contact may slip; even: the part of a trial in which no
+    slow slip turns.
     """
 
     def __init__(self, patch: pytest.MonkeyPatch, blocks: int = 1, **told: list[Any]) -> None:
@@ -47,6 +48,7 @@ class Told:
         for name, made in {
             "attempt": self._attempt, "time_to_landing": self._landing,
             "time_to_slip_end": self._ends, "time_to_slip_start": self._starts,
+            "time_of_even_slip": lambda *given: given[4] * self._next("even", 1.0),
             "impact_acted": lambda *_: self._next("acted", False),
             "may_slip": lambda *_: self._next("may", False),
             "move": lambda setting, state, trial, span: self.moved.append(span / DT),
@@ -98,7 +100,7 @@ def steps(*trials: tuple[float, float, float]) -> list[Any]:
 def test_a_step_without_events_is_one_trial(monkeypatch: pytest.MonkeyPatch) -> None:
     told = Told(monkeypatch)
     assert told.trials == steps((0.0, 1.0, SLACK))
-    assert told.asked == ["landing", "may", "forces"]
+    assert told.asked == ["landing", "may", "even", "forces"]
     assert told.past == [pytest.approx((1.0, STILL * PULL * DT))]
     assert told.works == [False]
 
@@ -154,6 +156,16 @@ def test_a_step_ends_once_where_slip_begins(monkeypatch: pytest.MonkeyPatch, why
     assert told.asked.count("starts") == 1
 
 
+def test_a_step_is_shortened_where_a_slow_slip_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So is the part before the end of a slip; an impact is not."""
+    told = Told(monkeypatch, even=[0.25, 1.0])
+    assert told.trials == steps((0.0, 1.0, SLACK), (0.0, 0.25, SLACK), (0.25, 0.75, SLACK))
+    told = Told(monkeypatch, ended=[True, False, False, False], ends=[0.4], even=[0.5, 1.0])
+    assert told.moved == pytest.approx([0.2, 0.8])
+    told = Told(monkeypatch, landing=[0.0], acted=[True])
+    assert told.asked.count("even") == 1
+
+
 def test_the_last_part_of_a_step_is_not_divided(monkeypatch: pytest.MonkeyPatch) -> None:
     many = 2 * SPLITS
     told = Told(monkeypatch, landing=[0.0] * many, acted=[True] * many, ended=[True] * many)
@@ -163,6 +175,8 @@ def test_the_last_part_of_a_step_is_not_divided(monkeypatch: pytest.MonkeyPatch)
     assert "ends" not in told.asked
     told = Told(monkeypatch, ended=[True] * many, ends=[0.01] * many)
     assert told.asked.count("ends") == SPLITS - 1
+    told = Told(monkeypatch, even=[0.01] * many)
+    assert told.asked.count("even") == SPLITS - 1
 
 
 @pytest.mark.parametrize(("blocks", "parts"), [(SMALL, 2), (SMALL + 1, 1)])

@@ -1,0 +1,1 @@
+"""Claims about how the general kernel of `rigid` divides steps, by script."""
