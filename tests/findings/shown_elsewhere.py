@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 DDA, RIGID = "tests/engines/dda", "tests/engines/rigid"
+WORK = "tests/engines/dem/contact/test_friction_work.py"
 STRENGTH = "tests/references/bonds/test_lattice_strength.py"
 MFIX = "tests/references/impact/test_mfix.py"
 REBOUND = "tests/references/impact/test_rebound.py"
@@ -139,7 +140,35 @@ TESTED: Mapping[str, tuple[str, ...]] = {
     "`dda/published` does not rotate strains with a block": (
         f"{DDA}/test_strains.py::test_strains_that_stay_behind_shear_what_turns_and_published_says_so",
     ),
-    "`dda` closes contacts on springs, and its first-order step dissipates energy": (
+    "because the lever arms of weight and reaction are those at the start of a step": (
+        f"{DDA}/test_turning.py::"
+        "test_a_block_on_its_edge_is_late_because_lever_arms_are_of_the_start_of_a_step",
+    ),
+    "9e-7 of the energy put in for a sheet of 33 spheres, mu kn (v dt)^2/8 at most, and none at "
+    "half the step": (
+        f"{WORK}::test_in_a_sheet_knocked_so_that_contacts_open_a_coarse_step_gives_a_millionth",
+        f"{WORK}::test_in_collisions_a_step_gains_no_more_than_the_end_of_a_contact_in_it",
+    ),
+    "that mean is along the slip, whatever force is chosen within the limit": (
+        f"{WORK}::test_where_slip_turns_and_the_limit_falls_no_force_within_it_would_take_energy",
+    ),
+    "It refuses scenes where they do": (
+        f"{DDA}/test_turning.py::test_the_second_order_step_refuses_blocks_that_rotate_and_says_why",
+    ),
+    "each step of `dda` takes a fixed part of all velocity": (
+        "tests/cases/stability/test_kinetic_damping.py::test_a_step_hands_on_a_part_of_its_velocity",
+    ),
+    "Exceptions in `dda/default` are a single block, and several that cannot rotate": (
+        f"{DDA}/slides/test_slow_slides.py::test_slides_of_two_blocks_that_turn_at_different_times_do_not_depend_on_the_step",
+    ),
+    "A sweep passes a force on by one block": (
+        f"{RIGID}/test_newton.py::test_newton_steps_reach_the_answer_of_sweeps_in_fewer",
+    ),
+    "Its energy is slip times the mean of the forces before and after a step": (
+        "tests/engines/dem/contact/test_slip.py::"
+        "test_friction_at_its_limit_takes_the_mean_force_times_the_slip",
+    ),
+    "makes it first order and dissipates energy": (
         f"{DDA}/test_dda.py::test_a_bouncing_block_is_damped_by_the_published_spectral_radius",
         f"{DDA}/test_dda.py::test_the_step_is_first_order_at_a_fixed_stiffness",
     ),

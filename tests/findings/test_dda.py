@@ -122,7 +122,7 @@ FOUND: Table = {
         Row("responding-block:3d", LAGGED, SOFT, "distance", 0.0105, 0.0115),
         Row("responding-block:3d", LAGGED, STIFF, "distance", 0.0145, 0.0155),
     ],
-    "Without the lag the error falls on to 7e-4": [
+    "which differs only in the lag, the error falls on to 7e-4": [
         Row("responding-block:3d", DEFAULT, STIFF, "distance", 6.5e-4, 7.5e-4),
     ],
 }

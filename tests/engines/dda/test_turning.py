@@ -9,12 +9,17 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from adapters.dda import ADAPTER
+from cases.blocks.rocking import CASE as ROCKING
+from tests.findings.figures import asked
 from tests.scenes.blocks.block_scenes import box
 from vv.ask import Ask, Displacement, History, Knobs
+from vv.case import Series
+from vv.codes import unsupported
 from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare
 from vv.engines.dda.general.bodies import Motion
 from vv.gate.judgement import breaches
-from vv.scene import Contact, Scene, Vector
+from vv.scene import Contact, Scene, Term, Vector
 
 HALF = np.array([0.3, 0.2, 0.4])  # m: inertia is least about z, greatest about y
 FLIP = np.array([5.0, 0.2, 0.0])  # 1/s: about the intermediate axis, and slightly oblique
@@ -107,3 +112,45 @@ def test_roundings_of_the_motion_of_what_nothing_acts_on_break_no_law(
     scene, goal = Scene((thrown,), Contact(np.inf)), History(0.2, 0.025)
     program = prepare(Ask(scene, goal, (Displacement(0),), Knobs(2.5e-3, 1e8)), DEFAULT)
     assert list(breaches(program.run(program.solve()).ledger)) == []
+
+
+def leaned(dt: float, at_the_start: bool, steps: int) -> Vector:
+    """The lean over alpha (steps + 1,) of the released block, in DDA's step on a rigid edge.
+
+    theta'' = -p^2 sin(alpha - theta), with the lever arm of weight and reaction at the start of a
+    step or at its end.
+    """
+    p = ROCKING.defaults("released")
+    alpha, rate = np.arctan2(p["b"], p["h"]), 0.75 * p["g"] / np.hypot(p["b"], p["h"])
+    lean, spin, seen = p["part"] * alpha, 0.0, [p["part"]]
+    for _ in range(steps):
+        turned = dt * spin
+        for _ in range(1 if at_the_start else 30):
+            arm = lean if at_the_start else lean + turned
+            pull = -rate * np.sin(alpha - arm)
+            turned = dt * spin + 0.5 * dt**2 * pull
+        lean, spin = lean + turned, spin + dt * pull
+        seen.append(lean / alpha)
+    return np.array(seen)
+
+
+def test_a_block_on_its_edge_is_late_because_lever_arms_are_of_the_start_of_a_step() -> None:
+    """With the lever arm at the end of a step it would be as much too early."""
+    dt, stride, rows = 1e-3, 30, 15
+    found = asked("rocking:released", "dda/default", Knobs(dt, 1e11))
+    lean = next(one for one in found.trial.quantities if one.name == "lean")
+    assert isinstance(lean, Series)
+    assert lean.reference is not None
+    times = found.run.times[: rows + 1]
+    assert times[1] == pytest.approx(stride * dt)
+    exact = lean.reference(found.run.times)[: rows + 1]
+    late = np.asarray(lean.observe(found.run))[: rows + 1] - exact
+    before, after = (leaned(dt, way, stride * rows)[::stride] - exact for way in (True, False))
+    assert late.max() == pytest.approx(before.max(), rel=0.05)
+    assert -after.min() == pytest.approx(before.max(), rel=0.3)
+
+
+def test_the_second_order_step_refuses_blocks_that_rotate_and_says_why() -> None:
+    scheme = next(one for one in ADAPTER.schemes if one.name == "generalised-alpha")
+    assert unsupported(scheme, {Term.ROTATION, Term.GRAVITY}) == {Term.ROTATION}
+    assert "those at the beginning of a step" in scheme.why_not[Term.ROTATION]
