@@ -152,5 +152,5 @@ def test_a_block_on_its_edge_is_late_because_lever_arms_are_of_the_start_of_a_st
 
 def test_the_second_order_step_refuses_blocks_that_rotate_and_says_why() -> None:
     scheme = next(one for one in ADAPTER.schemes if one.name == "generalised-alpha")
-    assert unsupported(scheme, {Term.ROTATION, Term.GRAVITY}) == {Term.ROTATION}
+    assert unsupported(scheme, frozenset({Term.ROTATION, Term.GRAVITY})) == {Term.ROTATION}
     assert "those at the beginning of a step" in scheme.why_not[Term.ROTATION]
