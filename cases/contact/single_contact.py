@@ -156,9 +156,11 @@ def _judge(test: str, p: Parameters) -> Exact:
     """The bounds from the rates k of the spring and n of the drag [1/s], over the step."""
     k, n = _rates(test, p)
     phase = (k * STEP) ** 2 * (0.25 * (1 + (2 * n / k) ** 2) if n else 0.4)
+    shallow = SHALLOW * _rounding(p) if test in ("T3", "T4") else 0.0
+    rounded = ROUNDED_STEPS + shallow
     return Exact({
         Method.EXACT: Tolerance(
-            1e-13 + (SHALLOW * _rounding(p) if test in ("T3", "T4") else 0.0),
+            1e-13 + shallow,
             "rounding errors of about a hundred operations, eps = 2.2e-16 each. In T3 and T4 the "
             "overlap is rounded too, as a difference of coordinates as large as r: an error of eps "
             "r/dx of the limit of friction, and of at most 1 + sqrt 2 times that of the largest "
@@ -166,20 +168,23 @@ def _judge(test: str, p: Parameters) -> Exact:
             slack="T1 and T2 are exact to a few eps, T3 and T4 where coordinates are round",
         ),
         Method.SECOND_ORDER: Tolerance(
-            float(min(phase, LARGEST_TOLERANCE)),
+            float(np.clip(phase, rounded, LARGEST_TOLERANCE)),
             "the phase error of a leapfrog, (k dt)^2/24 per period, is 2e-5 at 1e-3 s and grows "
             "with drag; where contact and slip begin or end within a step, errors of the same "
-            "order are added",
+            "order are added. Below it each of 4e4 steps rounds by eps, and the overlap of T3 and "
+            "T4 is rounded as for exact methods",
             dt=STEP,
             order=2,
+            floor=rounded,
         ),
         Method.FIRST_ORDER: Tolerance(
-            min(_first_order(k, n) * STEP, LARGEST_TOLERANCE),
+            float(np.clip(_first_order(k, n) * STEP, rounded, LARGEST_TOLERANCE)),
             "drag that is half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s; a "
             "start half a step late changes the velocity by as much, or by a part of k dt. Both "
             "errors add up over the three stages of T4",
             dt=STEP,
             order=1,
+            floor=rounded,
             slack="a dead load lowers a scheme to first order; where it only balances the contact, "
             "as in T3-free, it leaves no such error",
         ),
@@ -187,12 +192,17 @@ def _judge(test: str, p: Parameters) -> Exact:
 
 
 def _rounding(p: Parameters) -> float:
-    """The rounding error of the coordinates over the overlap."""
+    """The rounding error of the coordinates over the overlap, at most 1 %."""
     dx = closed.overlap(**{name: p[name] for name in OVERLAP})
-    return float(np.finfo(float).eps) * p["r"] / dx
+    error = float(np.finfo(float).eps) * p["r"] / dx
+    if error > 0.01:
+        rule = f"an overlap so small is lost as coordinates of r = {p['r']:g} m are rounded"
+        raise ValueError(f"dx = {dx:.4g} m; {rule}")
+    return error
 
 
 STEP = 1e-3  # s
+ROUNDED_STEPS = 1e-11  # of 4e4 steps, as many as the finest setting takes
 SHALLOW = 1 + np.sqrt(2)
 """By what part of the largest displacement T3 and T4 change with the limit of friction y1.
 

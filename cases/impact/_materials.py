@@ -38,6 +38,18 @@ def mass(p: Parameters) -> float:
     return p["rho"] * 4.0 / 3.0 * math.pi * p["R"] ** 3
 
 
+def require_shallow(overlap: float, radius: float) -> None:
+    """Raises ValueError where bodies overlap [m] by a tenth of a radius [m] or more.
+
+    Laws of contact hold for small overlaps, and codes are judged as penetrating beyond that.
+    """
+    if not overlap < 0.1 * radius:
+        raise ValueError(
+            f"an overlap of {overlap:.4g} m at most; it must be below a tenth of the radius, "
+            f"{0.1 * radius:g} m"
+        )
+
+
 def moduli(p: Parameters, bodies: int) -> Hertz:
     """Moduli of a contact of `bodies` elastic bodies of one material; any other body is rigid."""
     if not 0.0 <= p["poisson"] <= 0.5:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cases.impact._materials import require_shallow
 from reference_solutions.impact import hertz, micro_slip
 from reference_solutions.impact.rebound import WALL, After, Law, Sphere, rebound
 from vv.ask import Displacement, Method, Observable, Run, Velocity
@@ -54,6 +55,15 @@ class Impacts:
     contact: Contact
     blows: Mapping[str, Blow]
     partner: Sphere = WALL
+
+    def __post_init__(self) -> None:
+        law, fastest = self.law, max((blow.vn for blow in self.blows.values()), default=0.0)
+        if fastest > 0.0:
+            deepest = (
+                fastest * math.sqrt(self.reduced / law.K) if law.p == 1.0
+                else hertz.deepest(m=self.reduced, K=law.K, v=fastest)
+            )  # fmt: skip
+            require_shallow(deepest, min(self.sphere.radius, self.partner.radius))
 
     @property
     def each(self) -> int:

@@ -7,7 +7,13 @@ import functools
 import numpy as np
 
 from cases._energy_balance import balance
-from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
+from cases.impact._materials import (
+    CHUNG_OOI_2011,
+    defaults,
+    mass,
+    moduli,
+    require_shallow,
+)
 from reference_solutions.impact import hertz
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
@@ -84,6 +90,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     pair = variant in PAIRS
     law, judge = _law(pair, p), _judge(hertz.contact_time(**_law(pair, p)))
     unit = hertz.contact_time(**law)
+    require_shallow(hertz.deepest(**law), p["R"])
     goal = History(LASTS * unit, unit / SEEN)
     seen = tuple(kind(body) for kind in (Displacement, Velocity) for body in range(1 + pair))
     rungs = tuple(Knobs(dt=unit / n) for n in STEPS)

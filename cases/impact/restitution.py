@@ -9,7 +9,13 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._energy_balance import balance
-from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
+from cases.impact._materials import (
+    CHUNG_OOI_2011,
+    defaults,
+    mass,
+    moduli,
+    require_shallow,
+)
 from reference_solutions.impact import hertz, spring, viscous
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
@@ -119,6 +125,7 @@ def _scene(kind: str, p: Parameters) -> Scene:
 def _declare(variant: str, p: Parameters) -> Trial:
     kind = variant.partition("-")[0]
     due, unit = _exact_values(kind, p), hertz.contact_time(**_elastic(p))
+    require_shallow(due["deepest"], p["R"])
     interval = unit / SEEN
     goal = History(interval * math.ceil(LASTS * due["cleared"] / interval), interval)
     steps = (*STEPS, LOSSY) if p["e"] < 1.0 else STEPS

@@ -161,7 +161,7 @@ class PreparedSpheres:
             bound = min(bound, peak)
         gap = terms.sum(axis=1) - put_in
         audits = {} if isinstance(self.system, Line) else dict(_audits(self.stand_in.scene, terms))
-        if isinstance(self.system, Bulk) and DEPTH in audits:
+        if isinstance(self.system, Bulk | Space) and DEPTH in audits:
             audits[DEPTH] = self._depth(path, terms, audits[DEPTH])
         if self.stand_in.scene.bonds is not None:
             order = 2 if self.leapfrog == CENTRED else 1
@@ -177,14 +177,16 @@ class PreparedSpheres:
     def _depth(self, path: Vector, terms: Vector, told: tuple[float, float]) -> tuple[float, float]:
         """The deepest overlap [m] at the highest spring energy and at the end, and its limit.
 
-        With thousands of contacts, the overlap of one contact that holds all energy is far too high
-        an estimate. Where it exceeds the limit, and all moving spheres are observed, the actual
-        overlaps are computed.
+        With several contacts, the overlap of one contact that holds all energy is too high an
+        estimate. Where it exceeds the limit, walls are fixed and all moving spheres are observed,
+        the actual overlaps are computed.
         """
         if told[0] <= told[1]:
             return told
         rows = int(terms[:, 1].argmax()), len(path) - 1
         scene = self.stand_in.scene
+        if any(wall.motion is not None for wall in scene.walls):
+            return told
         found = [deepest(scene, self.spheres, path[row, :, :3]) for row in rows]
         seen = [one for one in found if one is not None]
         return (max(seen), told[1]) if seen else told

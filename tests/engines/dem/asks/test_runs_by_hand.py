@@ -15,7 +15,7 @@ from vv.engines.dem.line.model import Line
 from vv.engines.dem.pressed.model import Pressed
 from vv.engines.dem.solve import DEPTH, EPS, GAINED, ROUNDINGS, PreparedSpheres
 from vv.engines.dem.space.model import Space
-from vv.scene import Bonds, Contact, Form, Scene, Spheres
+from vv.scene import Bonds, Contact, Form, Harmonic, Scene, Spheres, Wall
 
 GOAL, DT = History(0.1, 0.02), 1e-3
 
@@ -83,6 +83,25 @@ def test_where_few_spheres_move_the_depth_is_that_of_one_contact_with_all_energy
     seen, allowed = program._ledger(path, energy).audits[DEPTH]
     assert seen == pytest.approx(np.sqrt(2.0 * 40.0 / 800.0))
     assert seen > allowed
+
+
+@pytest.mark.parametrize("fixed", [True, False])
+def test_the_depth_of_several_contacts_is_the_actual_one_if_walls_are_fixed(fixed: bool) -> None:
+    """Two spheres overlap the wall by 0.06 m each, one contact with all energy by 0.085 m."""
+    place = np.array([[0.0, 0.0, 1.0], [5.0, 0.0, 1.0]])
+    ones = np.ones(2)
+    spheres = Spheres(place, 0.0 * place, 0.8 * ones, 4.0 * ones, np.ones((2, 3), bool))
+    along = Harmonic(np.array([0.1, 0.0, 0.0]), np.full(3, 1.0), np.zeros(3))
+    floor = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), None if fixed else along)
+    scene = Scene((spheres, floor), Contact(900.0))
+    program = prepared(scene, observables=(Displacement(0), Displacement(1)))
+    assert isinstance(program.system, Space)
+    path, energy = (np.zeros_like(array) for array in program.arguments[:2])
+    path[1, :, 2] = -0.26
+    energy[1, 1] = 900.0 * 0.06**2
+    seen, allowed = program._ledger(path, energy).audits[DEPTH]
+    assert seen == pytest.approx(0.06 if fixed else 0.06 * np.sqrt(2.0))
+    assert allowed == pytest.approx(0.08)
 
 
 @pytest.mark.parametrize(("leapfrog", "order"), [(dem.CENTRED, 2), (dem.LAGGED, 1)])
