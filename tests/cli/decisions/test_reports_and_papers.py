@@ -1,4 +1,4 @@
-"""Claims about what single commands decide, asked of their functions without a process."""
+"""Claims about what commands decide that report, compare papers, draw, or check a code."""
 
 from __future__ import annotations
 

@@ -1,0 +1,1 @@
+"""Claims about what commands decide, asked of their functions without a process."""
