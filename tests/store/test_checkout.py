@@ -50,3 +50,20 @@ def test_a_revision_is_never_an_option_of_git(tmp_path: Path) -> None:
         with pytest.raises(UsageError, match="--since: git says"):
             changed_since(tmp_path, hostile)
     assert victim.read_text() == "kept"
+
+
+def test_a_file_that_moved_is_seen_at_both_places_and_from_a_folder_of_the_checkout(
+    tmp_path: Path,
+) -> None:
+    tiny, inner = Tiny(tmp_path), tmp_path / "inner"
+    inner.mkdir()
+    (inner / "old.py").write_text("one\n" * 50)
+    (tmp_path / "outside.py").write_text("one")
+    tiny.git("init", "-q")
+    tiny.git("add", ".")
+    tiny.git("commit", "-qm", "first")
+    tiny.git("mv", "inner/old.py", "inner/new.py")
+    (tmp_path / "outside.py").write_text("two")
+    moved = {inner / "old.py", inner / "new.py"}
+    assert changed_since(tmp_path, "HEAD") == {*moved, tmp_path / "outside.py"}
+    assert changed_since(inner, "HEAD") == moved

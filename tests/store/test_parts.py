@@ -14,8 +14,19 @@ import pytest
 
 from tests.support.acceptances import ran
 from tests.support.fabricated import changed, manifest
+from vv.ask import (
+    Cost,
+    Displacement,
+    Ledger,
+    Model,
+    Observable,
+    Run,
+    Status,
+    Velocity,
+)
 from vv.records import codec
-from vv.store import array_files, provenance, record_list
+from vv.scene import Form, Term
+from vv.store import array_files, provenance, record_list, run_arrays
 from vv.store.manifests import DAY
 from vv.store.store import STALE, Store
 
@@ -140,3 +151,40 @@ def test_a_file_is_read_again_only_when_it_changes(tmp_path: Path) -> None:
     assert memory.stat().st_mtime_ns == then
     file.write_text("other")
     assert provenance.file_digests([file], memory) != first
+
+
+def test_a_run_comes_back_from_the_store_in_all_its_parts(tmp_path: Path) -> None:
+    t, way = np.array([0.0, 0.5, 1.0]), np.arange(9.0).reshape(3, 3)
+    values: dict[Observable, Any] = {
+        Displacement(2): way,
+        Velocity(0): -way,
+        Displacement(0): 2 * way,
+    }
+    ledger = Ledger({"kinetic": 3.0}, 0.25, 4.0, 0.5, {"Coulomb": (0.1, 0.2)})
+    run = Run(
+        Status.RAN, "as told", t, values, Cost(1.0, 2.0, 3.0, 4.0, 5.0, 6, 0.5, True), 7,
+        Model(8, frozenset({Term.GRAVITY, Term.DRAG}), "a note"), ledger,
+        {Form.KINETIC: 3 * t, Form.DRAG: 4 * t}, np.array([[1.0, 2.0], [3.0, np.inf]]),
+    )  # fmt: skip
+    Store(tmp_path).keep_run("aa", run)
+    found = Store(tmp_path).run("aa")
+    assert found is not None
+    for name in ("status", "reason", "cost", "steps", "model", "ledger"):
+        assert getattr(found, name) == getattr(run, name)
+    assert found.times.tolist() == t.tolist()
+    assert found.tried.tolist() == run.tried.tolist()
+    assert [*found.values] == [*values]
+    for asked, array in values.items():
+        assert found.values[asked].tolist() == array.tolist()
+    assert {form: array.tolist() for form, array in found.energies.items()} == {
+        form: array.tolist() for form, array in run.energies.items()
+    }
+
+
+def test_what_is_no_number_is_no_part_of_a_run() -> None:
+    arrays = run_arrays.arrays_of(Run(Status.RAN, times=np.zeros(1)), "aa")
+    assert run_arrays.run_from(arrays, "aa").status is Status.RAN
+    with pytest.raises(ValueError, match="t holds no numbers"):
+        run_arrays.run_from({**arrays, "t": np.array(["0"])}, "aa")
+    with pytest.raises(ValueError, match="it is of the key aa"):
+        run_arrays.run_from(arrays, "bb")
