@@ -226,7 +226,8 @@ def _variants() -> tuple[Variant, ...]:
 WORDS = {
     "T1": (
         "normal contact of two particles, no drag",
-        "y = (v_a/k) sin kt to t = pi/k, then -v_a (t - pi/k); k^2 = kn/m, m = 2 sqrt3 rho r^2",
+        "y = (v_a/k) sin kt to t = pi/k, then -v_a (t - pi/k); k^2 = kn/m, m = 2 sqrt3 rho r^2, "
+        "of a metre of thickness",
     ),
     "T2": (
         "normal contact of two particles with drag",
@@ -236,12 +237,14 @@ WORDS = {
     "T3": (
         "shear contact of a particle with a wall, no drag: stick, slip, stick",
         "y = (v_b/k) sin kt | y1 + v_s1 s - a s^2/2 | b + y1 cos k(t - t_s4); k^2 = ks/m, "
-        "y1 = mu kn dx/ks, a = k^2 y1, b = v_s1^2/2a",
+        "y1 = mu kn dx/ks, a = k^2 y1, b = v_s1^2/2a. The overlap dx with the wall is chosen so "
+        "that slip begins at t = pi/(8 wd) in T4: dx is as 1/(mu kn), and neither changes y",
     ),
     "T4": (
         "shear contact of a particle with a wall, with drag: stick, slip, stick",
         "y = (v_b/wd) e^{-nt} sin wd t | y1 + (B/2n)(1 - e^{-2ns}) - (a/2n) s | "
-        "d + y1 e^{-ns}(cos wd s + (n/wd) sin wd s); B = v_s2 + a/2n",
+        "d + y1 e^{-ns}(cos wd s + (n/wd) sin wd s); n = eta/2m, wd^2 = k^2 - n^2, k, y1 and a as "
+        "in T3, B = v_s2 + a/2n, s the time since slip began or ended, d how far it slipped",
     ),
 }
 INERT = {
