@@ -22,6 +22,8 @@ PLAIN_IMPORT = re.compile(  # statements on lines of their own, in their simple 
     re.MULTILINE,
 )
 
+_DIGESTS: dict[Path, str] = {}  # of the files read so far in this process
+
 
 def import_closure(files: Iterable[Path], roots: Iterable[Path]) -> tuple[Path, ...]:
     """The files and all files of OUR_PACKAGES below `roots` that they import, also indirectly.
@@ -59,10 +61,24 @@ def source_digest(files: Iterable[Path]) -> str:
     return hashlib.sha256(named.encode()).hexdigest()
 
 
-@functools.cache
 def _content_digest(path: Path) -> str:
     """Digest of a file, read once a process: most files are part of many closures."""
-    return hashlib.sha256(path.read_bytes()).hexdigest()
+    if path not in _DIGESTS:
+        _DIGESTS[path] = hashlib.sha256(path.read_bytes()).hexdigest()
+    return _DIGESTS[path]
+
+
+def changed_files() -> list[Path]:
+    """The files that differ from what they were when this process took their digests, sorted."""
+    return sorted(path for path, known in _DIGESTS.items() if _digest_now(path) != known)
+
+
+def _digest_now(path: Path) -> str:
+    """Digest of a file as it is now; empty if it cannot be read."""
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError:
+        return ""
 
 
 @functools.cache

@@ -87,7 +87,7 @@ def test_an_edited_part_gives_a_kernel_a_cache_of_its_own(tmp_path: Path) -> Non
     kernels = [copy / "engines" / name for name in ("dem/space/kernel.py", "dda/general/kernel.py")]
 
     def digests() -> list[str]:
-        closure._content_digest.cache_clear()
+        closure._DIGESTS.clear()
         return [closure.source_digest(kernel_sources(kernel, tmp_path)) for kernel in kernels]
 
     assert cache_folder(ROOT / "vv/engines/dem/space/kernel.py").name == digests()[0][:16]
