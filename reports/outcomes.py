@@ -89,7 +89,7 @@ WORST_FIRST = (
         "◇",
         "shown only",
         "shown",
-        "shown, without a reference to judge it by",
+        "shown and not judged: there is no reference, or no tolerance for the class of method",
     ),
     ShownOutcome(Outcome.PASS, "✓", "pass", "good", "within the tolerance of its class of method"),
 )

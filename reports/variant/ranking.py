@@ -17,6 +17,7 @@ from vv.base.metrics import Order
 from vv.records import codec
 from vv.records.job_record import ModelSummary, Record
 from vv.records.outcomes import StudyKind
+from vv.records.rungs import only_rounding
 
 
 @dataclass(frozen=True)
@@ -152,7 +153,10 @@ def brief_j(energy: float) -> str:
 def _order_of(pile: Sequence[Record], quantity: str) -> Order | None:
     """The observed order of a quantity at the stiffest springs, before its floor."""
     own = [r for r in pile if r.rung.kn == pile[-1].rung.kn]
-    return observed_order([(r.rung.dt, one.error) for r in own if (one := r.quantity(quantity))])
+    errors = [(r, one.error) for r in own if (one := r.quantity(quantity))]
+    if only_rounding(errors):
+        return None
+    return observed_order([(r.rung.dt, error) for r, error in errors])
 
 
 def why_colours_differ(rows: Sequence[Ranked]) -> str:

@@ -14,6 +14,7 @@ from vv.base.metrics import Order, order_before_floor
 from vv.records.job_record import Record
 from vv.records.outcomes import QuantityKind
 from vv.records.quantity import MeasuredQuantity
+from vv.records.rungs import only_rounding
 
 Measured = tuple[Record, MeasuredQuantity]
 Point = tuple[float | None, float | None]  # a step and the error at it
@@ -97,7 +98,8 @@ def _group(mark: Mark, rows: Sequence[Measured]) -> Group:
         for (record, one), texts, step in zip(rows, notes, local, strict=True)
     ]
     one = rows[0][1]
-    return Group(mark, one.name, one.unit, made, observed_order(points), shared)
+    order = None if only_rounding((r, q.error) for r, q in rows) else observed_order(points)
+    return Group(mark, one.name, one.unit, made, order, shared)
 
 
 def _between(coarse: Point, fine: Point) -> float | None:

@@ -16,7 +16,7 @@ def test_a_class_with_a_tolerance_is_judged() -> None:
 def test_a_class_without_one_is_shown_and_the_reason_names_the_class() -> None:
     assert judge_for_method(JUDGE, Method.PENALTY) == Shown("it sinks in")
     shown = judge_for_method(JUDGE, Method.FIRST_ORDER)
-    assert shown == Shown("no tolerance for what is first order in dt")
+    assert shown == Shown("no tolerance for class first order in dt")
 
 
 def test_a_leapfrog_is_judged_as_any_code_of_its_order_unless_a_case_says_more() -> None:
@@ -32,7 +32,7 @@ def test_a_leapfrog_is_judged_as_any_code_of_its_order_unless_a_case_says_more()
 def test_what_is_a_leapfrog_s_own_is_asked_of_no_other() -> None:
     own = Exact({Method.LEAPFROG: Tolerance(1e-12, "the phase of a leapfrog")})
     shown = judge_for_method(own, Method.SECOND_ORDER)
-    assert shown == Shown("no tolerance for what is second order in dt")
+    assert shown == Shown("no tolerance for class second order in dt")
 
 
 def test_a_code_of_such_a_class_runs_and_is_no_crash(tiny: Tiny) -> None:
@@ -40,4 +40,4 @@ def test_a_code_of_such_a_class_runs_and_is_no_crash(tiny: Tiny) -> None:
     done = tiny.vv("gate", "fall:up", "--codes", "fake/good")
     assert done.returncode == 0, done.stderr
     said = tiny.vv("explain", "fall:up").stdout
-    assert "no tolerance for what is second order in dt" in said
+    assert "no tolerance for class second order in dt" in said

@@ -185,6 +185,6 @@ def test_what_a_code_does_not_tell_is_not_judged_in_it_and_in_others_is() -> Non
                   is_reported=lambda run: run.ledger is not None)  # fmt: skip
     silent = Run(Status.RAN, times=np.array([0.0, 1.0]))
     booked = dataclasses.replace(silent, ledger=Ledger({}, 1.0, 1.0, 0.0))
-    for run, verdict in ((silent, "no-reference"), (booked, "fail")):
+    for run, verdict in ((silent, "shown only"), (booked, "fail")):
         entry, _ = measured(run, kept, Method.SECOND_ORDER, Knobs(1e-3))
         assert entry.verdict.value == verdict

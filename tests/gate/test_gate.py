@@ -123,6 +123,16 @@ def test_accepting_writes_a_sorted_file_with_reason_platform_and_versions(
     assert "Reason: it was looked at" in report
 
 
+def test_accepting_again_what_nothing_changed_says_that_the_reason_is_not_recorded(
+    accepted: Tiny,
+) -> None:
+    before = (accepted.root / BASELINE).read_bytes()
+    said = accept(accepted)
+    assert "fall.json is unchanged: the reason is not recorded" in said
+    assert "results in" not in said
+    assert (accepted.root / BASELINE).read_bytes() == before
+
+
 def test_only_results_that_are_right_are_accepted(tiny: Tiny) -> None:
     assert tiny.vv("accept", "fal", "--reason", "x").returncode == Bit.USAGE
     tiny.edit("adapters/fake.py", '"killed", "hangs", ', "")

@@ -131,7 +131,15 @@ OTHER = {"value": 2.0, "rounding": 0.1, "code": "a code", "source": "", "band": 
         ({}, "y: error 0.002, allowed 0.001"),
         ({"errors": {"max": None}}, "y: error nan, allowed 0.001"),
         ({"note": "late"}, "y: error 0.002, allowed 0.001, late"),
-        ({"tolerance": None, "value": 2.5, "why": "nothing is known"}, "y: 2.5, nothing is known"),
+        (
+            {"tolerance": None, "value": 2.5, "errors": {}, "why": "nothing is known"},
+            "y: 2.5, nothing is known",
+        ),
+        (
+            {"tolerance": None, "figures": {"final": 2.5}, "why": "no tolerance"},
+            "y: 2.5, error 0.002, no tolerance",
+        ),
+        ({"tolerance": None, "errors": {}, "why": "unknown"}, "y: no value, unknown"),
         ({"value": 2.5, "measurement": SEEN}, "y: computed 2.5, measured 2 +- 0.5, band 0.75"),
         ({"value": 2.5, "printed": OTHER}, "y: computed 2.5, a code has 2, shown"),
     ],

@@ -52,6 +52,18 @@ def test_a_setting_is_told_with_every_knob_also_with_one_that_is_nil() -> None:
         assert row.setting == said
 
 
+def test_errors_of_rounding_have_no_order_and_larger_ones_have() -> None:
+    def order(least: float) -> float | None:
+        runs = [
+            record("a/a", "T1", dt, steps=100, quantities=[entry("pass", {"max": error})])
+            for dt, error in zip(STEPS, (least * 4, least * 2, least), strict=True)
+        ]
+        return rows(runs, [])[0].order
+
+    assert order(5e-15) is None  # 100 steps round by 2.2e-14 at most
+    assert order(1e-14) == pytest.approx(1.0)  # the coarsest error exceeds that
+
+
 def test_the_quantity_that_is_closest_to_its_bound_is_shown() -> None:
     near = entry("pass", {"max": 9e-5}, name="near", tolerance=1e-4)
     large = entry("pass", {"max": 5e-3}, name="large", tolerance=1e-1)
@@ -86,7 +98,7 @@ def test_many_variants_are_counted_by_scheme(tmp_path: Path) -> None:
     good = [entry("pass", {"max": 1e-5})]
     many = [record("a/a", f"V{i}", 1e-3, quantities=good) for i in range(ROWS + 1)]
     lines = [line.split() for line in table(many, [])]
-    assert ["a/a", str(ROWS + 1), "-", "-", "-", str(ROWS + 1), "-", "1.0e-05"] in lines
+    assert ["a/a", str(ROWS + 1), "-", "-", "-", "-", str(ROWS + 1), "-", "1.0e-05"] in lines
 
 
 def test_findings_at_several_settings_are_one_line_with_the_command_that_shows_it() -> None:
@@ -221,10 +233,30 @@ def test_verdicts_of_many_variants_are_counted_and_sixty_rows_are_all_shown() ->
     assert "bounce:V0" in [*table(many, [])]
     red = Finding(Aspect.RUN, "error", "it", "bounce", "V0", "a/x", bit=Bit.CRASH)
     _, head, first, second, _ = table([*many, one("y", 99, "no-reference")], [red])
-    names = "scheme variants FAIL reported only known disagreement pass other error"
+    names = "scheme variants FAIL reported only known disagreement shown only pass other error"
     assert " ".join(head.split()) == names
-    assert first.split() == ["a/x", "5", "1", "-", "2", "2", "-", "1.0e-05"]
-    assert second.split() == ["a/y", str(ROWS - 4), "-", "-", "-", "-", str(ROWS - 4), "1.0e-05"]
+    assert first.split() == ["a/x", "5", "1", "-", "2", "-", "2", "-", "1.0e-05"]
+    assert second.split() == [
+        "a/y",
+        str(ROWS - 4),
+        "-",
+        "-",
+        "-",
+        str(ROWS - 4),
+        "-",
+        "-",
+        "1.0e-05",
+    ]
+
+
+def test_what_is_not_judged_is_shown_with_its_largest_error_unless_another_is_judged() -> None:
+    loose = {"tolerance": None, "norm": None, "judge": "shown"}
+    seen = [entry("no-reference", {"max": e}, name=f"y{e}", **loose) for e in (4e-6, 2e-6)]
+    (row,) = rows([record("a/a", "T1", 1e-3, quantities=seen)], [])
+    assert (row.error, row.allowed, row.verdict) == (4e-6, None, "shown only")
+    judged = entry("pass", {"max": 1e-9})
+    (row,) = rows([record("a/a", "T1", 1e-3, quantities=[*seen, judged])], [])
+    assert (row.error, row.allowed) == (1e-9, 1e-3)
 
 
 def test_schemes_are_told_by_code_and_outcome_one_by_name_and_more_by_number() -> None:

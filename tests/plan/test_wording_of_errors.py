@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -13,9 +13,11 @@ import numpy as np
 import pytest
 
 from vv.ask import Method
+from vv.base.errors import UsageError
+from vv.case import Case, Parameter, Source, Variant
 from vv.case.published import Paper
 from vv.output import listing
-from vv.plan import imports, published, rejections
+from vv.plan import imports, planning, published, rejections
 from vv.plan.content import ProjectError
 from vv.scene import Term
 
@@ -79,6 +81,32 @@ def test_parameters_are_changed_that_differ_from_the_variant_s_own() -> None:
 
     assert said(m=1.0, mu=2.0) == "fall:T1: with mu = 2.0: too slow"
     assert said(m=-1.0, mu=0.5) == "fall:T1: with m = -1.0 kg: too slow"
+
+
+def case_that(declare: Callable[[Mapping[str, float]], Any]) -> Case:
+    """A case whose declaration does this with its parameters."""
+    return Case(
+        name="fall",
+        title="A fall",
+        source=Source("none", ""),
+        parameters=(Parameter("m", 1.0, "kg", "mass"),),
+        variants=(Variant("up", "up", "y = 0"),),
+        declare=lambda variant, parameters: declare(parameters),
+    )
+
+
+@pytest.mark.parametrize("m", [1.0, 2.0])
+def test_a_formula_that_fails_at_the_defaults_too_is_a_fault_of_the_case(m: float) -> None:
+    wrong = case_that(lambda p: 1.0 + p["mass"])
+    with pytest.raises(KeyError, match="mass"):
+        planning.declare_trial(wrong, "up", {"m": m})
+
+
+def test_a_formula_that_fails_away_from_the_defaults_is_told_with_the_value() -> None:
+    far = case_that(lambda p: SimpleNamespace(quantities=[1.0][int(p["m"]) - 1 :][0] and ()))
+    assert planning.declare_trial(far, "up", {"m": 1.0})
+    with pytest.raises(UsageError, match=r"fall:up: with m = 2\.0 kg: .* default is m = 1\.0 kg"):
+        planning.declare_trial(far, "up", {"m": 2.0})
 
 
 def test_a_file_whose_paper_is_none_is_refused_by_its_name(

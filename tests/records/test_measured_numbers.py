@@ -114,8 +114,8 @@ def test_a_summary_says_what_the_run_was() -> None:
         (1.7, 0.25, "fail"),
         (-2.0, 0.25, "fail"),
         (None, 0.25, "fail"),
-        (9.0, None, "no-reference"),
-        (None, None, "no-reference"),
+        (9.0, None, "shown only"),
+        (None, None, "shown only"),
     ],
 )
 def test_a_value_lies_within_its_band_or_is_shown_without_one(

@@ -132,7 +132,7 @@ def judge_for_method(judge: Judge, method: Method) -> Judge:
             return Shown(judge.not_judged[one])
         if one in judge.tolerances:
             return judge
-    return Shown(f"no tolerance for what is {method.value}")
+    return Shown(f"no tolerance for class {method.value}")
 
 
 ELSEWHERE = "the parameters are not those of what was measured, or answered by another code"

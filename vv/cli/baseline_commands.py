@@ -38,6 +38,7 @@ def accept(
     """Show what changed since the baseline of a case, and make the present results the new one."""
     from vv.gate.acceptance import acceptable
     from vv.output import result_lines
+    from vv.records.reading import tried
 
     project = find()
     _require_own_cases(project)
@@ -46,8 +47,7 @@ def accept(
         raise UsageError('--reason is missing; say why the results are right: --reason "..."')
     manifest = _run(project, plan, timing)
     result_lines.print_difference(manifest, case)
-    refused = [r for r in manifest.records if not acceptable(r)]
-    result_lines.print_unacceptable(refused)
+    result_lines.print_unacceptable(r for r in manifest.records if tried(r) and not acceptable(r))
     if not dry_run:
         _write_baseline(project, case, manifest, reason.strip())
 
@@ -81,8 +81,12 @@ def _write_baseline(project: Project, case: str, manifest: Manifest, reason: str
         later,
     )
     path = baselines_of(project) / f"{case}.json"
-    write_whole(path, render(new).encode())
-    terminal.say(f"{len(new.results)} results in {path}")
+    text = render(new).encode()
+    if path.is_file() and path.read_bytes() == text:
+        terminal.say(f"{path} is unchanged: the reason is not recorded")
+    else:
+        write_whole(path, text)
+        terminal.say(f"{len(new.results)} results in {path}")
     terminal.say(f"which schemes run it, and why others refuse, in {answers.accept(project, case)}")
 
 

@@ -179,7 +179,8 @@ def _turned(
     )
     if one.verdict is Verdict.FAIL and in_band and in_order:
         return dataclasses.replace(one, verdict=Verdict.XFAIL, note=known.reason)
-    what = f"order {slope:.3f}" if in_band else f"error {one.error}"
+    error = "no error" if one.error is None else f"error {one.error:.3g}"
+    what = f"order {slope:.3g}" if in_band else error
     note = f"{what} lies outside the band of the known disagreement"
     return dataclasses.replace(one, note=note)
 

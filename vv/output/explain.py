@@ -165,13 +165,21 @@ def _in_words(record: Record) -> str:
     return f"{at}{': ' if at else ''}{came}: {errors or record.reason}"
 
 
+def _value_or_error(one: MeasuredQuantity) -> str:
+    """What there is to show of a quantity without a bound: its value, final for a series, error."""
+    value = one.figures.get("final") if one.value is None else one.value
+    shown = [] if value is None else [f"{value:.6g}"]
+    shown += [] if one.error is None else [f"error {one.error:.3g}"]
+    return ", ".join(shown) or "no value"
+
+
 def _quantity_in_words(one: MeasuredQuantity) -> str:
     if one.measurement is not None and one.value is not None:
         text = f"{one.name}: {against_measurement(one.value, one.measurement)}"
     elif one.printed is not None and one.value is not None:
         text = f"{one.name}: {against_code(one.value, one.printed)}"
     elif one.tolerance is None:
-        text = f"{one.name}: {one.value}, {one.why}"
+        text = f"{one.name}: {_value_or_error(one)}, {one.why}"
     else:
         error = math.nan if one.error is None else one.error
         text = f"{one.name}: error {error:.3g}, allowed {one.tolerance:.3g}"

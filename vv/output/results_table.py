@@ -23,6 +23,7 @@ COUNTED = (
     "FAIL",
     "reported only",
     "known disagreement",
+    "shown only",
     "pass",
 )  # verdicts that are counted separately
 RANKS = (Outcome.XFAIL, Outcome.BLOW_UP, Outcome.PASS, Outcome.NO_REFERENCE)
@@ -33,9 +34,9 @@ Place = tuple[str, str, str]  # case, variant, scheme
 class Row:
     """A scheme on a variant, at its finest setting that ran.
 
-    error, allowed: of the quantity closest to its bound, None if none is judged; order: observed in
-    dt; cpu: of the stepping loop [s], or of the whole process; timed: whether the cost was measured
-    alone on a core; verdict: of the gate, over all settings.
+    error, allowed: of the quantity closest to its bound; if none is judged, the largest error, and
+    None; order: observed in dt; cpu: of the stepping loop [s], or of the whole process; timed:
+    whether the cost was measured alone on a core; verdict: of the gate, over all settings.
     """
 
     place: Place
@@ -67,8 +68,8 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
     if not done:
         return Row(place, "", None, None, None, None, 0.0, False, False, verdict)
     finest = done[-1]
-    judged = [one for one in finest.quantities if one.error is not None and one.tolerance]
-    worst = max(judged, key=_closeness, default=None)
+    known = [one for one in finest.quantities if one.error is not None]
+    worst = max(known, key=_closeness, default=None)
     fitted = row_of(finest.rung.kn, [r for r in done if r.rung.kn == finest.rung.kn]).order
     return Row(
         place,
@@ -90,8 +91,9 @@ def _setting(knobs: Knobs) -> str:
     return ",".join(f"{name}={value:g}" for name, value in named if value is not None)
 
 
-def _closeness(one: MeasuredQuantity) -> float:
-    return (one.error or 0.0) / (one.tolerance or 1.0)
+def _closeness(one: MeasuredQuantity) -> tuple[bool, float]:
+    """Orders quantities: those that are judged by their errors over their bounds, then others."""
+    return bool(one.tolerance), (one.error or 0.0) / (one.tolerance or 1.0)
 
 
 def _verdict(pile: Sequence[Record], findings: Sequence[Finding]) -> str:
@@ -167,10 +169,10 @@ def _summary(every: Sequence[Row]) -> Iterator[str]:
         counts = [sum(row.verdict == head for row in own) for head in COUNTED]
         told = zip((*COUNTED, "other"), (*counts, len(own) - sum(counts)), strict=True)
         cells = "".join(f"{count or '-':>{len(head) + 2}}" for head, count in told)
-        errors = [row.error for row in own if row.error is not None]
+        errors = [row.error for row in own if row.error is not None and row.allowed]
         middle = _short(float(np.median(errors))) if errors else "-"
         yield f"  {name:<{wide}}{len(own):>8}{cells}{middle:>10}"
-    yield "  (error: the median over variants, at the finest setting; `vv run CASE` shows each)"
+    yield "  (error: the median of those judged, at the finest setting; `vv run CASE` shows each)"
 
 
 def unsupported(records: Iterable[Record]) -> str:

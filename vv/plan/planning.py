@@ -10,7 +10,7 @@ import numpy as np
 
 from vv.ask import Ask, Knobs, Run, Status
 from vv.base.errors import UsageError
-from vv.base.time_limit import time_limit
+from vv.base.time_limit import TooLongError, time_limit
 from vv.case import (
     Case,
     Count,
@@ -27,7 +27,7 @@ from vv.case import (
 from vv.codes.adapter import Adapter, Found, Scheme, known_beforehand, no_steps
 from vv.plan.plan import EmptyPlanError, Job, Options, Plan
 from vv.plan.project import Project
-from vv.plan.rejections import rejection
+from vv.plan.rejections import rejection, stated
 from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.plan.settings import parameters_with_settings
 
@@ -102,6 +102,8 @@ def finest_ask(case: Case, variant: str, options: Options) -> Ask:
 def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
     """The trial of a variant; raises UsageError for parameters that the case rejects.
 
+    An error in a formula that the default parameters meet too is a fault of the case, not of the
+    values: it is raised as it is.
     With parameters changed by the user, references are evaluated now, so that their errors are
     found early, and within a limit of time: values far from those of the case may take extremely
     long. With default parameters they are left until a run is measured, because some are costly.
@@ -109,15 +111,32 @@ def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> 
     usual = dict(parameters) == case.defaults(variant)
     refused = REFUSED if usual else FAR
     try:
-        if usual:
-            return case.declare(variant, parameters)
-        # what is not finite is refused where data are created
-        with time_limit(PATIENCE), np.errstate(all="ignore"):
-            trial = case.declare(variant, parameters)
-            _evaluate_references(trial.quantities)
-        return trial
+        return case.declare(variant, parameters) if usual else _evaluated(case, variant, parameters)
     except refused as error:
+        if not stated(error) and (usual or _fails_at_defaults(case, variant)):
+            raise
         raise UsageError(rejection(case, variant, parameters, error)) from error
+
+
+def _evaluated(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
+    """The trial of a variant, whose references have been evaluated within the limit of time."""
+    # what is not finite is refused where data are created
+    with time_limit(PATIENCE), np.errstate(all="ignore"):
+        trial = case.declare(variant, parameters)
+        _evaluate_references(trial.quantities)
+    return trial
+
+
+@functools.cache
+def _fails_at_defaults(case: Case, variant: str) -> bool:
+    """Whether a formula of a variant fails at its default parameters; not if it only takes long."""
+    try:
+        _evaluated(case, variant, case.defaults(variant))
+    except TooLongError:
+        return False
+    except Exception as error:
+        return not stated(error)
+    return False
 
 
 def _evaluate_references(quantities: Iterable[Quantity]) -> None:

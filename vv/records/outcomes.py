@@ -15,7 +15,7 @@ class Verdict(enum.Enum):
     FAIL = "fail"
     XFAIL = "xfail"
     XPASS = "xpass"
-    NO_REFERENCE = "no-reference"
+    NO_REFERENCE = "shown only"
 
 
 class Outcome(enum.Enum):
@@ -40,7 +40,7 @@ class Outcome(enum.Enum):
     XPASS = "xpass"
     XFAIL = "xfail"
     PASS = "pass"
-    NO_REFERENCE = "no-reference"
+    NO_REFERENCE = "shown only"
 
 
 class StudyKind(enum.Enum):

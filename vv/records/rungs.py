@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -20,6 +21,7 @@ from vv.base.metrics import (
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind
 
+EPSILON = sys.float_info.epsilon  # a step rounds by half of it or less, and several times
 FORMAL = 2.0  # no scheme here has a higher formal order; a higher observed one is accidental
 
 
@@ -77,7 +79,12 @@ class Row:
 
     @functools.cached_property
     def order(self) -> Order | None:
-        """The order in dt of the rungs before the floor; None if there are too few."""
+        """The order in dt of the rungs before the floor; None if there are too few.
+
+        Nor is there one where all errors are rounding.
+        """
+        if only_rounding(zip(self.pile, (p.error for p in self.points), strict=True)):
+            return None
         known = self._known
         return order_before_floor([dt for dt, _ in known], [error for _, error in known])
 
@@ -104,6 +111,14 @@ class Row:
     def errors(self) -> list[float]:
         """The errors of the rungs that have one."""
         return [point.error for point in self.points if point.error is not None]
+
+
+def only_rounding(errors: Iterable[tuple[Record, float | None]]) -> bool:
+    """Whether none of these errors exceeds what rounding in each step of its run may sum up to.
+
+    A fit to such errors says nothing of the method.
+    """
+    return all(error is None or error <= run.steps * EPSILON for run, error in errors)
 
 
 def row_of(kn: float | None, pile: Sequence[Record]) -> Row:

@@ -77,7 +77,7 @@ def test_a_leapfrog_slips_again_and_the_count_has_no_order() -> None:
 def test_methods_of_second_order_are_shown_and_only_exact_ones_judged() -> None:
     run = exact.solve(TRIAL.study.ask(Knobs()))
     wrong = run_of(closed.t3(T, **OVERLAP) + 1e-3 * LIMIT * (10.0 * pi / 3.0 < T))
-    for method, verdict in ((Method.EXACT, "fail"), (Method.SECOND_ORDER, "no-reference")):
+    for method, verdict in ((Method.EXACT, "fail"), (Method.SECOND_ORDER, "shown only")):
         entry, _ = measured(wrong, SLIPS, method, Knobs())
         assert entry.verdict.value == verdict
         assert entry.judge.value == ("exact" if verdict == "fail" else "shown")

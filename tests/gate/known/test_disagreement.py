@@ -50,6 +50,18 @@ def test_a_failure_inside_its_bands_is_known() -> None:
     assert verdicts(ladder()) == {Verdict.XFAIL}
 
 
+def test_a_failure_outside_its_bands_is_told_with_three_digits() -> None:
+    def note(error: float, **band: Any) -> str:
+        (told,) = judge(
+            [record("dem/default", "T1", 1e-3, quantities=[entry("fail", {"max": error})])],
+            [Disagreement(**{**KNOWN, **band})],
+            TODAY,
+        )
+        return told.quantities[0].note
+
+    assert note(37.9962954901982).startswith("error 38 lies outside the band")
+
+
 def test_a_pass_inside_a_band_that_reaches_below_the_tolerance_is_a_pass() -> None:
     assert verdicts(passing(1.9e-2)) == {Verdict.PASS}
 
