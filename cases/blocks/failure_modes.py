@@ -174,7 +174,9 @@ def _places(p: Parameters, short: bool) -> Exact:
     springs = "springs need a time to build up their force, which is shorter the stiffer they are"
     swings = "; short steps do not damp the oscillation that this leaves"
     bounds = {
-        Method.SECOND_ORDER: Tolerance(TURNS, turns),
+        Method.SECOND_ORDER: Tolerance(
+            TURNS, turns, slack="it does not turn where it only slides, or falls in one piece"
+        ),
         Method.FIRST_ORDER: Tolerance(
             6e-2,
             "the motion starts half a step late, an error of dt/T, a twentieth at the longest "
@@ -182,12 +184,14 @@ def _places(p: Parameters, short: bool) -> Exact:
             dt=BRIEF * math.sqrt(p["R"] / p["g"]) / STEPS[0][0],
             order=1,
             floor=TURNS,
+            slack="a scheme whose forces act from the first step on starts in time",
         ),
         Method.PENALTY: Tolerance(
             LARGEST_TOLERANCE if short else 6e-2,
             springs + swings * short,
             kn=1e10 * _stiffening(p),
             softness=0.5,
+            slack="springs that start charged with the weight bear it from the first step on",
         ),
     }
     return Exact(bounds, not_judged={Method.LAGGING: LATE})
@@ -197,7 +201,9 @@ LATE = (
     "friction of the previous iteration lets blocks slip that should not. Modes are wrong beside "
     "borders, and with large friction elsewhere too; errors do not fall with step or stiffness"
 )
-SAME = Tolerance(1e-9, "the mode is either that of the chart, or wrong")
+SAME = Tolerance(
+    1e-9, "the mode is either that of the chart, or wrong", slack="a mode has no error"
+)
 ALL = dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY), SAME)
 BESIDE = "half a degree from a border the modes differ by less than the error of springs"
 CLEAR, BORDERS = (

@@ -111,11 +111,11 @@ def _dip_and_strike(p: Parameters, scene: Scene, goal: History) -> tuple[Quantit
         BLOCK, scene.axes[:2], path, goal.times(None), "m", _incline_bounds.free_fall(p)
     )
     swept = scene.unknowns() > len(scene.axes)
-    judge = _incline_bounds.in_two_directions(p, swept)
+    along, aside = _incline_bounds.in_two_directions(p, swept)
     return (
-        motion.component(0, "d", "displacement down the dip", judge),
-        motion.component(1, "s", "displacement along the strike", judge),
-        motion.distance(judge),
+        motion.component(0, "d", "displacement down the dip", along),
+        motion.component(1, "s", "displacement along the strike", aside),
+        motion.distance(along),
     )
 
 

@@ -93,11 +93,7 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
     return Exact(
         {
             Method.EXACT: Tolerance(1e-12, "rounding errors of a few located events"),
-            Method.SECOND_ORDER: Tolerance(
-                1e-5, "the trapezoidal rule integrates the sine with second order; events are "
-                "located within the step",
-                dt=1e-3, order=2, floor=1e-7,
-            ),
+            Method.SECOND_ORDER: _integrated(p, way),
             Method.FIRST_ORDER: Tolerance(
                 1e-5, "slip begins and ends on whole steps, an error of the speed of at most a dt",
                 dt=1e-3, order=1, slack="a slip may end anywhere within a step",
@@ -108,9 +104,24 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
                 "groove, and the wedge oscillates on its sides: friction is missing for up to 1/w "
                 "of that oscillation",
                 kn=SPRING, softness=0.5,
+                slack="springs that start charged with the weight, in a step that is cut where "
+                "slip stops, leave hardly any oscillation",
             ),
         },
         not_judged={Method.LAGGING: SETTLES},
+    )  # fmt: skip
+
+
+def _integrated(p: Parameters, way: float) -> Tolerance:
+    """For located events; way: the largest displacement [m]."""
+    w = 2 * math.pi * p["f"]
+    pushed = p["A"] * (1 + _mu(p) * pressing(p["xi"])) * p["duration"] / w  # m
+    return Tolerance(
+        float(np.clip(pushed / way * (w * STEP) ** 2 / 6, LOCATED, LARGEST_TOLERANCE)),
+        "the trapezoidal rule gives the speed that the sine and its friction cause, up to "
+        "A (1 + K mu)/w, an error of (w dt)^2/12; twice that is allowed for the whole duration. "
+        "Events are located within the step",
+        dt=STEP, order=2, floor=LOCATED,
     )  # fmt: skip
 
 
@@ -126,6 +137,7 @@ def _missing_speed(p: Parameters, mass: float) -> float:
     return _mu(p) * pressing(p["xi"]) * presses / (half * math.sqrt(CORNERS * SPRING / mass))
 
 
+STEP, LOCATED = 1e-3, 1e-9  # s; what the search for an event leaves
 CORNERS, SPRING = 8, 1e9  # corners of the wedge on both sides; stiffness of its bound [N/m]
 SETTLES = (
     "formulations of this class may let gravity act before the shaking starts, and here gravity "

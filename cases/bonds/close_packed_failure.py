@@ -233,8 +233,8 @@ FACES = "the equation is for a lattice without faces; shown for comparison with 
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 
 
-def _bounds(value: float, reason: str) -> Exact:
-    return Exact(dict.fromkeys(CLASSES, Tolerance(value, reason)))
+def _bounds(value: float, reason: str, slack: str = "") -> Exact:
+    return Exact(dict.fromkeys(CLASSES, Tolerance(value, reason, slack=slack)))
 
 
 def _history_bounds(p: Parameters, block: Lattice) -> Exact:
@@ -249,6 +249,7 @@ def _landmark_bounds(p: Parameters, block: Lattice) -> Exact:
         min(LARGEST_TOLERANCE, _waves(block, 6e-3) * max(1.0, _pace(p))),
         "outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s; "
         f"{WAVES}; {PACED}",
+        slack="how soon an output follows an opening is chance",
     )
 
 

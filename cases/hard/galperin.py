@@ -103,9 +103,11 @@ def _number(due: int, spread: float, coarsest: float) -> Count:
         observe=_count_collisions,
         reference=due,
         judge=Exact({
-            Method.EXACT: Tolerance(1e-6, "the number of collisions is either right or wrong"),
+            Method.EXACT: Tolerance(
+                1e-6, "the number of collisions is either right or wrong", slack=RIGHT
+            ),
             Method.SECOND_ORDER: Tolerance(
-                min(spread, LARGEST_TOLERANCE), BLURRED, dt=coarsest, order=2
+                min(spread, LARGEST_TOLERANCE), BLURRED, dt=coarsest, order=2, slack=RIGHT
             ),
         }),
     )  # fmt: skip
@@ -128,6 +130,7 @@ RUNGS = {
     "31": {Level.QUICK: SHORT[:3:2], Level.DEFAULT: SHORT, Level.PAPER: SHORT},
     "314": {Level.QUICK: LONG[:1], Level.DEFAULT: LONG[:1], Level.PAPER: LONG},
 }
+RIGHT = "a number that is right has no error"
 BLURRED = (
     "a contact that begins and ends within a step changes the speed by up to (w dt)^2/8, randomly; "
     "n contacts change the direction by sqrt(n/8) times that; where this is less than one "

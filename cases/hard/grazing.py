@@ -57,6 +57,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
                     1e-6,
                     "the sphere slips once, at the beginning; the number of slips is either right "
                     "or wrong",
+                    slack="a number that is right has no error",
                 )
             },
             not_judged={Method.SECOND_ORDER: GRAZES},

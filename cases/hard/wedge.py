@@ -125,10 +125,12 @@ def _judge(xi: float, held: float) -> Exact:
     """On springs the wedge sinks by N/kn into each side, and 1/sin(xi/2) times as far in all."""
     left = held / (1 - held) if held < 1 else 1.0
     second = Tolerance(
-        min((1e-11 / xi + EPS / xi**2) * max(left, 1.0), LARGEST_TOLERANCE),
+        min((max(2e-12 / xi, 1e-11) + EPS / xi**2) * max(left, 1.0), LARGEST_TOLERANCE),
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, which a narrow "
         "groove magnifies by 1/sin(xi/2); rounding of the force on a side, W/(2 sin(xi/2)), moves "
-        "the wedge sideways, and 1/sin(xi/2) times as far out of the groove",
+        "the wedge sideways, and 1/sin(xi/2) times as far out of the groove; rounding of the "
+        "displacement adds 1e-11",
+        slack="a wedge in the middle of its groove is rounded alike on both sides",
     )
     rigid = {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, exact to rounding"),
@@ -150,6 +152,7 @@ def _judge(xi: float, held: float) -> Exact:
         "of the displacement grows with the ratio of friction to the downhill force that is left, "
         "and with its square, since the wedge then stops in each oscillation",
         kn=1e9, softness=0.5,
+        slack="springs that start charged with the weight neither sink nor oscillate",
     )  # fmt: skip
     if held > JUST:
         return Exact({**rigid, Method.PENALTY: swings}, not_judged={Method.LAGGING: HELD_BACK})

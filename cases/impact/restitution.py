@@ -161,13 +161,13 @@ def _judge(unit: float, z: float, read: float) -> Exact:
     dt = unit / STEPS[0]
     return Exact({
         Method.EXACT: Tolerance(read, "events are located to rounding; the error of interpolation "
-                                "between outputs remains"),
+                                "between outputs remains", slack=BESIDE),
         Method.SECOND_ORDER: Tolerance(
             10.0 / STEPS[0] ** 2,
             "an error of (w dt)^2/24 of the phase, with the largest w of the contact, 1.2 times "
             "pi/tc; as much for the steps in which contact begins and ends; speeds are means of "
             "two steps. The floor is the error of interpolation between outputs",
-            dt=dt, order=2, floor=max(read, 1e-6),
+            dt=dt, order=2, floor=max(read, 1e-6), slack=SYMMETRIC,
         ),
         Method.FIRST_ORDER: Tolerance(
             0.5 * math.pi * max(1.0, 1.2 * math.pi * z**2) / STEPS[0],
@@ -188,6 +188,8 @@ def _balance(unit: float) -> Scalar:
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
 
 
+BESIDE = "an output may fall close to the largest overlap"
+SYMMETRIC = "without losses the impact is symmetric in time, and returns its speed at any phase"
 BETWEEN = {"deepest": 1e-8, "force": 2e-6}  # errors of interpolation between outputs
 SUDDEN = {"hertz": 0.3, "linear": 0.35}
 """Restitutions up to which a dashpot has its largest force at the start, or too early for outputs:

@@ -11,12 +11,14 @@ from vv.records.record import measured
 
 RIGHT = {
     "failure-modes:3d-40 phi=37.4 alpha=12.5": "rigid/default",
+    "wedge:xi-1 dip=29.4 xi=0.649 held=0.502 g=9.93": "rigid/default",
     "wedge:xi-1e-06 xi=1.73e-6 held=0.378 g=6.11": "rigid/default",
     "resting:booked n=8 rows=6 m=0.901 kn=1.1e6 ks=9.77e5 mu=0.327 g=13.1": "dem/default",
     "resting:booked n=4 rows=6 m=1.62 kn=1.37e6 ks=5.76e5 mu=0.296 v=7e-4": "dem/published",
     "knife-edge:topples crossing=31 mu=2.19 duration=0.178": "dda/default",
     "knife-edge:topples g=19.1 duration=0.259": "dda/default",
     "painleve:mu-0.8 half=2.23 g=20.8 m=262": "dda/default",
+    "painleve:mu-0.8 mu=0.842 slope=2.79 half=1.03 V=2.53 g=11": "dda/augmented-lagrangian",
     "painleve:mu-0.8 mu=0.89 slope=2.25 half=0.727 V=1.9 g=8.6 m=91.6": "dda/lagged",
     "painleve:mu-0.8 slope=1.72 g=25.5 m=104": "dda/published",
     "painleve:mu-2 slope=0.735": "rigid/default",

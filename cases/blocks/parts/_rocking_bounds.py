@@ -82,6 +82,8 @@ def near_threshold(w: float, part: float) -> Exact:
         "pulse from the threshold",
         dt=COARSE,
         order=2,
+        slack="close to the threshold the block stands on its corner for long, where its height is "
+        "at a maximum and hardly depends on the lean",
     )
     return Exact({Method.SECOND_ORDER: slow}, not_judged=SHOWN)
 
