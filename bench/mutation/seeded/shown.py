@@ -42,7 +42,7 @@ BUGS = (
     Bug("history backwards", HISTORY, "_points([*runs.values()][::-1])", "_points([*runs.values()])", tests=INSIGHT),
     Bug("computed over measured upside down", "reports/drawing/scatter.py", "number(SIZE - at(point.computed))", "number(at(point.computed))", tests="tests/reports/drawing/test_beside.py"),
     Bug("a map lost from the largest step on", "vv/insight/stability_summary.py", "{min(ratios):.3g} critical steps", "{max(ratios):.3g} critical steps", tests=INSIGHT),
-    Bug("the quantity that is farthest from its bound", "vv/output/results_table.py", "worst = max(judged, key=_closeness", "worst = min(judged, key=_closeness", tests="tests/output"),
+    Bug("the quantity that is farthest from its bound", "vv/output/results_table.py", "worst = max(known, key=_closeness", "worst = min(known, key=_closeness", tests="tests/output"),
     Bug("exact and computed series exchanged", "vv/output/export.py", "for part in (\"value\", \"reference\")}\n", "for part in (\"reference\", \"value\")}\n    parts = dict(zip(parts, [*parts.values()][::-1], strict=True))\n", tests="tests/output"),
     Bug("right and wrong exchanged in a map of regions", "reports/drawing/regions.py", "value == exact) for at", "value != exact) for at", tests="tests/reports/drawing/test_beside.py"),
     Bug("a scatter of one freedom too many", "vv/insight/against_measurements.py", "logs.var(ddof=1)", "logs.var(ddof=0)", tests=INSIGHT),
