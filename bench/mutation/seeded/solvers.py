@@ -13,7 +13,7 @@ NEIGHBOURS = "vv/engines/dem/space/neighbours.py"
 BOND_LAW = "vv/engines/dem/bonds/law.py"
 BEND = "vv/engines/dem/bonds/block_forces.py"
 CRITICAL = "vv/engines/dem/critical_step.py"
-DDA = "vv/engines/dda/general/kernel.py"
+DDA = "vv/engines/dda/general/step.py"
 DDA_CONTACT = "vv/engines/dda/general/contact.py"
 DDA_FORCES = "vv/engines/dda/general/assemble.py"
 RIGID_SETTING = "vv/engines/rigid/general/setting.py"
@@ -54,12 +54,12 @@ BUGS = (
     Bug("a bond twists twice as far", BOND_LAW, "twist = 0.5 * dt * dot(add_scaled(a, 1.0, b), middle)", "twist = dt * dot(add_scaled(a, 1.0, b), middle)", "dem", "unlike-bonds:spinning"),
     Bug("lever arms of a bond swapped", BEND, "arm_i, arm_j = arms(radii[0], radii[1], length)", "arm_j, arm_i = arms(radii[0], radii[1], length)", "dem", "unlike-bonds:spinning"),
     Bug("limit with drag alone doubled", CRITICAL, "return 1.0 / n if n > 0.0 else math.inf", "return 2.0 / n if n > 0.0 else math.inf", "dem", "stable-step:viscous", "tests/engines/dem/test_drag_alone.py"),
-    Bug("velocity after a cut step", DDA, "motion.velocity, rate, d, mass, bodies, now, part", "motion.velocity, rate, d, mass, bodies, now, dt", "dda", "failure-modes"),
-    Bug("a cut step forgets what contacts were", DDA, "                    restore_states(touch, state, push, direction)\n", "", "dda", "failure-modes"),
-    Bug("shaking taken at the start of a step", DDA, "shake = value(shaking, done * dt + begin + shaken_at * part)", "shake = value(shaking, done * dt + begin)", "dda", "incline:two-directions-turning"),
+    Bug("velocity after a cut step", DDA, "work.mass, setting.bodies, part.rule, length", "work.mass, setting.bodies, part.rule, dt", "dda", "failure-modes"),
+    Bug("a cut step forgets what contacts were", DDA, "            restore_states(touch, before)\n            length *= 0.5", "            length *= 0.5", "dda", "failure-modes"),
+    Bug("shaking taken at the start of a step", DDA, "shake = value(setting.shaking, time + shaken_at * length)", "shake = value(setting.shaking, time)", "dda", "incline:two-directions-turning"),
     Bug("a shear spring in its old plane", DDA_CONTACT, "put(touch.spring, k, rotated_into_plane(at(old.spring, m), n))", "put(touch.spring, k, at(old.spring, m))", "dda", "knife-edge"),
     Bug("a dead load forgotten", DDA_FORCES, "add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i))", "add_scaled(at(bodies.weight, i), 0.0, at(bodies.load, i))", "dda", "laden-block"),
-    Bug("friction pulls along", DDA_FORCES, "pull = add_scaled(pull, -mu * force, direction)", "pull = add_scaled(pull, mu * force, direction)", "dda", "skid wedge:xi-1"),
+    Bug("friction pulls along", DDA_FORCES, "pull = add_scaled(pull, -law.mu * force, direction)", "pull = add_scaled(pull, law.mu * force, direction)", "dda", "skid wedge:xi-1"),
     Bug("gyroscopic term dropped", RIGID_SETTING, "FORECASTS if dot(spin, spin) > 0.0 else 1", "1", "rigid", "tumbling spin-stopped responding-block:3d-turning"),
     Bug("moment of momentum kept half", RIGID_SETTING, "put(w, i, times(inverse, i, moment))", "put(w, i, add_scaled(add_scaled(ZERO, 0.5, spin), 0.5, times(inverse, i, moment)))", "rigid", "tumbling knife-edge responding-block:3d-turning rocking"),
     Bug("positions by the velocity at the end", RIGID_EVENTS, "put(state.centre, i, add_scaled(add_scaled(at(state.centre, i), 0.5 * span, at(state.v, i)),\n                                  0.5 * span, v))", "put(state.centre, i, add_scaled(at(state.centre, i), span, v))", "rigid", "knife-edge responding-block:3d-turning"),

@@ -15,6 +15,7 @@ from vv.engines.dda.general.augmented.multipliers import (
     gap_rounding,
     take_over_forces,
 )
+from vv.engines.dda.general.setting import Law, Trial
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM
 from vv.scene import Vector
@@ -40,7 +41,7 @@ class Corners(NamedTuple):
 
 
 def _force(touch: Any, state: int) -> Any:
-    return contact_force(0, touch, state, FORCE, ALONG, MOVED, KN, KS, MU)
+    return contact_force(0, touch, state, FORCE, ALONG, MOVED, Law(KN, KS, MU, 1.0))
 
 
 @pytest.mark.parametrize(
@@ -101,7 +102,8 @@ class Borne(NamedTuple):
 
 
 def _taken_over(touch: Any, used: Index, rub: Vector, relative: Vector, gap: Vector) -> Any:
-    return take_over_forces(touch, used, rub, relative, gap, KN, KS, MU)
+    trial = Trial(used, rub, 0.0 * rub, relative)
+    return take_over_forces(touch, trial, gap, Law(KN, KS, MU, 1.0))
 
 
 taken_over: Any = numba.njit(_taken_over)

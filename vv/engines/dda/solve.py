@@ -29,7 +29,7 @@ from vv.engines.dda.limits import COULOMB, GAIN, MOMENTUM, REACH
 from vv.engines.dda.point.model import Sliding, sliding
 from vv.engines.dda.refusals import refuses, settles
 from vv.engines.dda.springs import springs
-from vv.engines.dda.stepping import IMPLICIT, LEAPING
+from vv.engines.dda.stepping import IMPLICIT, LEAPING, Steps
 from vv.scene import Vector
 
 LEDGER = (
@@ -76,11 +76,11 @@ class PreparedBlocks:
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
         """The arguments of the kernel: outputs, the step, the scene."""
-        goal, dt, choices = self.ask.goal, self.ask.dt, self.formulation
+        goal, dt = self.ask.goal, self.ask.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.watched)
-        step = (goal.stride(dt), dt, self.settling, choices.tolerance, choices.iterations)
-        law = springs(self.ask.scene, self.ask.knobs.kn, choices)
-        return (*outputs, *self.system.arguments(step, law))
+        steps = Steps(goal.stride(dt), dt, self.settling)
+        law = springs(self.ask.scene, self.ask.knobs.kn, self.formulation)
+        return (*outputs, *self.system.arguments(steps, law))
 
     @functools.cached_property
     def watched(self) -> tuple[int, ...]:

@@ -1,8 +1,16 @@
-"""The parameters of the generalised-alpha time integration: DDA's own, and others."""
+"""The steps of a run, and the parameters of generalised-alpha steps: DDA's own, and others."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
+
+
+class Steps(NamedTuple):
+    """A row per `stride` steps of dt [s]; `settling` steps of gravity alone before t = 0."""
+
+    stride: int
+    dt: float
+    settling: int
 
 
 class Stepping(NamedTuple):

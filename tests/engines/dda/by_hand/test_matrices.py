@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import expm
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.dda.general.linear import back, eliminate, factorise, forward, substitute
-from vv.engines.dda.general.matrices import (
+from vv.engines.dda.general.algebra.linear import back, eliminate, factorise, forward, substitute
+from vv.engines.dda.general.algebra.matrices import (
     congruent,
     fill_exponential,
     moment_product,

@@ -11,12 +11,13 @@ import pytest
 from vv.engines.dda.general.augmented.multipliers import add_multiplier_energies
 from vv.engines.dda.general.augmented.reversal import slip_alike
 from vv.engines.dda.general.energy import BASE, CREATED, DEEPEST, EXCESS, FRICTION, NUMERICAL, PEAK
+from vv.engines.dda.general.setting import Law
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import ALONG
 
 pytestmark = pytest.mark.usefixtures("in_python")
 UP, RIGHT = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0])
-KS, MU = 40.0, 0.5
+KN, KS, MU = 900.0, 40.0, 0.5
 
 
 @pytest.mark.parametrize("used", [STICK, SLIDE, OPEN])
@@ -36,8 +37,9 @@ def test_all_work_of_a_contact_but_that_of_friction_is_lost(
         force=np.zeros((1, 3)),
     )  # fmt: skip
     ledger, worst, pull = np.arange(13.0), np.zeros(9), np.full(4, 9.0)
-    states = np.array([used])
-    add_multiplier_energies(ledger, worst, pull, touch, states, rub, relative, moved, KS, MU)
+    work: Any = SimpleNamespace(ledger=ledger, worst=worst, pull=pull, moved=moved)
+    trial: Any = SimpleNamespace(used=np.array([used]), rub=rub, relative=relative)
+    add_multiplier_energies(work, touch, trial, Law(KN, KS, MU, 1.0))
     rubs = {STICK: -KS * spring[0], SLIDE: -rub[0], OPEN: 0.0 * UP}[used]
     force, work = rubs + 7.0 * UP, float(rubs @ (way * RIGHT))
     due = np.arange(13.0)
@@ -70,6 +72,8 @@ def test_contacts_slip_alike_that_slid_along_a_line_and_go_as_far_along_it(
     direction = np.array([RIGHT, np.array([1.0, told["turned"], 0.0])])
     relative = np.array([0.2 * RIGHT, [0.2 + told["way"], told["aside"], told["lifts"]]])
     states, used = (np.array([SLIDE, told[name]], int) for name in ("state", "used"))
+    before: Any = SimpleNamespace(state=states, direction=direction)
+    trial: Any = SimpleNamespace(used=used, relative=relative)
     along: Any = tuple(RIGHT)
-    found = slip_alike(touch, states, direction, used, relative, along, 0.2, 1e-3)
+    found = slip_alike(touch, before, trial, along, 0.2, 1e-3)
     assert found is alike

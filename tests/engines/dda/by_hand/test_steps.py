@@ -13,6 +13,7 @@ from tests.scenes.blocks.block_scenes import box
 from vv.engines.dda.general.energy import KINETIC, NORMAL, SHEAR, STRAIN, store_energies
 from vv.engines.dda.general.inertia import inertia_terms, part_to_stop, update_velocities
 from vv.engines.dda.general.rows import diverged, fill_forces
+from vv.engines.dda.general.setting import Part
 from vv.engines.dda.general.unknowns import hooke, initial_rates, unknowns_of
 from vv.engines.dda.law import SLIDE, STICK
 from vv.engines.dda.stepping import HALF_LEAP, IMPLICIT, generalised_alpha
@@ -167,11 +168,9 @@ def test_a_part_of_a_step_ends_where_the_first_slide_stops(time: float) -> None:
     motion: Any = SimpleNamespace(velocity=np.array([0.5, 0.8, 0.3]))
     state = np.array([SLIDE, SLIDE, SLIDE, STICK])
     relative = slips[:, None] * direction + [0.0, 0.3, 0.0]
-    found = part_to_stop(touch, state, direction, motion, relative, base, starts, time, part)
-    assert found == pytest.approx(0.6)
-    assert (
-        part_to_stop(
-            touch, np.full(4, STICK), direction, motion, relative, base, starts, time, part
-        )
-        == 1.0
-    )
+    before: Any = SimpleNamespace(state=state, direction=direction)
+    setting: Any = SimpleNamespace(base=base, starts=starts)
+    given: Any = (relative, setting, motion, Part(time, part, IMPLICIT, 2.0))
+    assert part_to_stop(touch, before, *given) == pytest.approx(0.6)
+    before.state = np.full(4, STICK)
+    assert part_to_stop(touch, before, *given) == 1.0

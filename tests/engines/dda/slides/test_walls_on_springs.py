@@ -17,10 +17,8 @@ from reference_solutions.blocks import responding_block
 from tests.support.plain import plain
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dda
-from vv.engines.blocks.geometry import depth_axis, planes
 from vv.engines.dda.general import bodies as kernels
 from vv.engines.dda.general import contact
-from vv.engines.dda.limits import REACH
 from vv.engines.dda.springs import springs
 from vv.scene import Vector
 
@@ -48,14 +46,11 @@ def start() -> tuple[Any, Any, Vector, float]:
     program = prepared(1e-3)
     model: Any = program.system
     law = springs(model.scene, KN, dda.DEFAULT)
-    initial, bodies = model.pressed(law, (1e-12, 12)), model.bodies()
-    shape, walls = model.shape, np.zeros((len(model.scene.walls), 3))
-    moves = np.array([bool(b.free.any() or b.free_spin.any()) for b in model.scene.blocks])
-    touch = plain(contact.find_contacts)(
-        plain(contact.contact_arrays)(0), bodies, initial, shape, moves, planes(model.scene),
-        walls, depth_axis(model.scene), REACH * float(shape.size.min()),
-    )  # fmt: skip
-    plain(contact.close_initial)(touch, initial.strain, KN, law.ks, MU, 1.0)
+    initial, setting = model.pressed(law), model.setting(1.0, law)
+    bodies, walls = setting.bodies, np.zeros((len(model.scene.walls), 3))
+    none = plain(contact.contact_arrays)(0)
+    touch = plain(contact.find_contacts)(none, setting, initial, walls)
+    plain(contact.close_initial)(touch, initial.strain, setting.law)
     q = len(initial.velocity)
     rows, mass = np.zeros((q, 12)), np.zeros((q, q))
     plain(kernels.fill_masses)(rows, bodies, initial)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies
 from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.setting import Law, Part, Setting, Work
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.kernels.arrays import smaller
 from vv.engines.kernels.compiled import lent
@@ -29,11 +30,12 @@ def fill_profile(first: Index, bodies: Bodies, touch: Touch) -> None:
 
 @lent
 def assemble_stiffness(
-    matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, state: Index,
-    step: float, weight: float, kn: float, ks: float, elastic: Vector,
-) -> None:  # fmt: skip
-    """Fill the lower half of matrix (q, q): weight/D^2 M + strains + springs of closed contacts."""
-    scale = weight / (step * step)
+    work: Work, touch: Touch, state: Index, setting: Setting, law: Law, part: Part
+) -> None:
+    """Fill the lower half of the matrix: weight/D^2 M + strains + springs of closed contacts."""
+    matrix, first, mass = work.matrix, work.first, work.mass
+    bodies, elastic, kn, ks = setting.bodies, setting.elastic, law.kn, law.ks
+    scale = part.weight / (part.length * part.length)
     for a in range(len(first)):
         for b in range(first[a], a + 1):
             matrix[a, b] = 0.0
@@ -53,8 +55,8 @@ def assemble_stiffness(
                     a, b = touch.column[k, m], touch.column[k, j]
                     if b <= a:
                         two = at(touch.field[k], j)
-                        part = (kn - shear) * along * dot(two, n)
-                        matrix[a, b] += part + shear * dot(one, two)
+                        press = (kn - shear) * along * dot(two, n)
+                        matrix[a, b] += press + shear * dot(one, two)
 
 
 @lent
@@ -69,9 +71,8 @@ def apply_loads(outer: Vector, bodies: Bodies, shake: Triple) -> None:
 
 @lent
 def contact_force(
-    k: int, touch: Touch, state: int, force: float, direction: Triple, moved: Triple,
-    kn: float, ks: float, mu: float,
-) -> Triple:  # fmt: skip
+    k: int, touch: Touch, state: int, force: float, direction: Triple, moved: Triple, law: Law
+) -> Triple:
     """The force [N] of contact k on its second body for zero unknowns.
 
     moved: the displacement of the wall [m]; state, force, direction: the assumed state, normal
@@ -81,10 +82,10 @@ def contact_force(
     if state != OPEN:
         n = at(touch.normal, k)
         closing = dot(n, moved)
-        pull = add_scaled(pull, -kn * (touch.gap[k] - closing), n)
+        pull = add_scaled(pull, -law.kn * (touch.gap[k] - closing), n)
         if state == STICK:
             stretch = add_scaled(at(touch.spring, k), -1.0, add_scaled(moved, -closing, n))
-            pull = add_scaled(pull, -ks, stretch)
+            pull = add_scaled(pull, -law.ks, stretch)
         if state == SLIDE:
-            pull = add_scaled(pull, -mu * force, direction)
+            pull = add_scaled(pull, -law.mu * force, direction)
     return pull

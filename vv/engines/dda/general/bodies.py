@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.blocks.placement import find_normals
-from vv.engines.dda.general.matrices import (
+from vv.engines.dda.general.algebra.matrices import (
     congruent,
     fill_exponential,
     moment_product,

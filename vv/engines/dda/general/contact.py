@@ -7,16 +7,25 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.blocks.contacts import Contacts, detect, empty_contacts, matched
-from vv.engines.blocks.geometry import Index, Planes, Shapes
+from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.algebra.matrices import times_vector
 from vv.engines.dda.general.bodies import Bodies, Motion
-from vv.engines.dda.general.matrices import times_vector
+from vv.engines.dda.general.setting import Law, Setting
 from vv.engines.dda.law import STICK
 from vv.engines.kernels import rooms
-from vv.engines.kernels.arrays import counts, zero_counts, zero_numbers, zero_rows
+from vv.engines.kernels.arrays import (
+    counts,
+    same_counts,
+    same_numbers,
+    same_rows,
+    zero_counts,
+    zero_numbers,
+    zero_rows,
+)
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
-from vv.scene import Mask, Vector
+from vv.scene import Vector
 
 MOST = 24  # the most unknowns that a contact depends on: twelve of each block
 
@@ -60,10 +69,37 @@ def contact_arrays(count: int) -> Touch:
     )  # fmt: skip
 
 
+@bundle
+class States(NamedTuple):
+    """Of contact points what an iteration changes, see `Touch`: copies from before it."""
+
+    state: Index
+    push: Vector
+    direction: Vector
+    spring: Vector
+
+
+@called
+def states_of(touch: Touch) -> States:
+    """The present states of contacts."""
+    count = len(touch.key)
+    return States(
+        same_counts(touch.state, count), same_numbers(touch.push, count),
+        same_rows(touch.direction, count), same_rows(touch.spring, count),
+    )  # fmt: skip
+
+
 @lent
-def close_initial(
-    touch: Touch, displacement: Vector, kn: float, ks: float, mu: float, hold: float
-) -> None:
+def restore_states(touch: Touch, before: States) -> None:
+    """Restore the states of contacts after an iteration whose result is not used."""
+    for k in range(len(touch.key)):
+        touch.state[k], touch.push[k] = before.state[k], before.push[k]
+        put(touch.direction, k, at(before.direction, k))
+        put(touch.spring, k, at(before.spring, k))
+
+
+@lent
+def close_initial(touch: Touch, displacement: Vector, law: Law) -> None:
     """Set the points that overlap at the start to stick, with the normal forces of their springs.
 
     displacement: unknowns (q,) of the displacement from the positions in the scene; with hold 1 the
@@ -71,14 +107,14 @@ def close_initial(
     """
     for k in range(len(touch.key)):
         if touch.gap[k] < 0.0:
-            touch.state[k], touch.push[k] = STICK, -kn * touch.gap[k]
+            touch.state[k], touch.push[k] = STICK, -law.kn * touch.gap[k]
             spring, n = NOWHERE, at(touch.normal, k)
             for m in range(touch.columns[k]):
                 spring = add_scaled(spring, displacement[touch.column[k, m]], at(touch.field[k], m))
             spring = add_scaled(spring, -dot(spring, n), n)
-            force, limit = ks * np.sqrt(dot(spring, spring)), mu * touch.push[k]
+            force, limit = law.ks * np.sqrt(dot(spring, spring)), law.mu * touch.push[k]
             part = 1.0 if force <= limit else limit / force
-            put(touch.spring, k, add_scaled(NOWHERE, hold * part, spring))
+            put(touch.spring, k, add_scaled(NOWHERE, law.hold * part, spring))
 
 
 @lent
@@ -113,11 +149,13 @@ def copy_state(touch: Touch, k: int, old: Touch, m: int) -> None:
 
 
 @called
-def find_contacts(
-    old: Touch, bodies: Bodies, motion: Motion, shapes: Shapes, moves: Mask,
-    planes: Planes, shift: Vector, depth: Vector, reach: float,
-) -> Touch:  # fmt: skip
-    """The contact points within reach [m], with the states of the same points in `old`."""
+def find_contacts(old: Touch, setting: Setting, motion: Motion, shift: Vector) -> Touch:
+    """The contact points within `setting.reach`, with the states of the same points in `old`.
+
+    shift: (w, 3) the displacements of walls [m].
+    """
+    bodies, shapes, moves, planes = setting.bodies, setting.shapes, setting.moves, setting.planes
+    depth, reach = setting.depth, setting.reach
     room = 16 + 2 * len(old.key)
     contacts: Contacts = empty_contacts(room)
     count = detect(

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies, Motion, times_blocks
 from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.kernels.arrays import larger, numbers
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
 KINETIC, NORMAL, SHEAR, STRAIN, FRICTION, NUMERICAL, DAMPED = range(7)
@@ -18,6 +18,8 @@ GRAVITY, LOAD, BASE, SHAKING, FOUND, CREATED = range(7, 13)
 TERMS = 13
 RESIDUAL, ITERATIONS, DEEPEST, CUT, FAILED, SOLVED, EXCESS, ADRIFT, PEAK = range(9)
 REPORTS = 9
+PUT_IN, WORKED, SPARE, LIMIT = range(4)
+FUNDS = 4
 
 
 @called
@@ -37,20 +39,21 @@ def store_energies(
 
 
 @lent
-def add_contact_energies(
-    ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
-    relative: Vector, moved: Vector, over: float, kn: float, ks: float, mu: float, hold: float,
-) -> None:  # fmt: skip
+def add_contact_energies(work: Work, touch: Touch, trial: Trial, over: float, law: Law) -> None:
     """Add the energies of contacts in a step to the ledger; update springs and gaps (c,).
 
-    pull: (q,) is set to their generalised forces; relative, moved: (c, 3), (w, 3) the relative
-    displacements of contacts and those of walls at the time at which forces are evaluated; those of
-    the whole step are `over` times as large. A force F does the work F d over a step d; the
-    difference to the energy of its spring is numerical dissipation. It is one function since all
-    energies of a contact follow from the same few numbers.
+    `pull` is set to their generalised forces. Displacements of contacts and walls are those at the
+    time at which forces are evaluated; those of the whole step are `over` times as large. A force F
+    does the work F d over a step d; the difference to the energy of its spring is numerical
+    dissipation. It is one function since all energies of a contact follow from the same few
+    numbers.
     """
-    for a in range(len(pull)):
-        pull[a] = 0.0
+    ledger, worst, used, rub, relative = (
+        work.ledger, work.worst, trial.used, trial.rub, trial.relative,
+    )  # fmt: skip
+    kn, ks, mu, hold = law.kn, law.ks, law.mu, law.hold
+    for a in range(len(work.pull)):
+        work.pull[a] = 0.0
     for k in range(len(touch.key)):
         n = at(touch.normal, k)
         opened = dot(at(relative, k), n)
@@ -87,40 +90,43 @@ def add_contact_energies(
             ledger[CREATED] += larger(0.0, gained)
             rubs = add_scaled(NOWHERE, -1.0, taken)
             if touch.state[k] == SLIDE:
-                off = add_scaled(
-                    add_scaled(NOWHERE, mu * touch.push[k], at(touch.direction, k)), -1.0, taken
-                )
+                due = add_scaled(NOWHERE, mu * touch.push[k], at(touch.direction, k))
+                off = add_scaled(due, -1.0, taken)
                 worst[RESIDUAL] = larger(worst[RESIDUAL], np.sqrt(dot(off, off)))
-        force = add_scaled(rubs, push, n)
-        put(touch.force, k, force)
-        for m in range(touch.columns[k]):
-            pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
+        add_force(work, touch, k, push, rubs, over)
         worst[EXCESS] = larger(worst[EXCESS], np.sqrt(dot(rubs, rubs)) - mu * larger(push, 0.0))
-        worst[PEAK] = larger(worst[PEAK], push)
-        if touch.wall[k] >= 0:
-            ledger[BASE] += over * dot(force, at(moved, touch.wall[k]))
         touch.gap[k] = after
         worst[DEEPEST] = larger(worst[DEEPEST], -after)
 
 
-@called
-def check_momentum(
-    worst: Vector, pull: Vector, outer: Vector, u: Vector, predictor: Vector, step: float,
-    weight: float, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
-) -> None:  # fmt: skip
-    """Store the largest error of a block's momentum balance in the step [N], and the largest force.
+@lent
+def add_force(work: Work, touch: Touch, k: int, push: float, rubs: Triple, over: float) -> None:
+    """Add the force of contact k to the generalised ones, and its work on a wall to the ledger."""
+    worst, force = work.worst, add_scaled(rubs, push, at(touch.normal, k))
+    put(touch.force, k, force)
+    for m in range(touch.columns[k]):
+        work.pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
+    worst[PEAK] = larger(worst[PEAK], push)
+    if touch.wall[k] >= 0:
+        work.ledger[BASE] += over * dot(force, at(work.moved, touch.wall[k]))
 
-    pull, outer: generalised forces (q,) of contacts and all others when they are evaluated; u (q,):
-    unknowns at that time; predictor (q,), weight: see `inertia`; step [s].
+
+@called
+def check_momentum(work: Work, setting: Setting, motion: Motion, part: Part) -> None:
+    """Store the largest error of a block's momentum balance in a part of a step, and the peak [N].
+
+    The peak is the largest of all forces.
     """
+    worst, pull, outer, u, predictor = work.worst, work.pull, work.outer, work.u, work.predictor
+    bodies, step, weight = setting.bodies, part.length, part.weight
     q = len(u)
     change, strain = numbers(q), numbers(q)
     gain, held_back = numbers(q), numbers(q)
     for a in range(q):
         change[a] = weight / step * (u[a] / step - predictor[a])
         strain[a] = motion.strain[a] + u[a]
-    times_blocks(gain, mass, bodies, change)
-    times_blocks(held_back, elastic, bodies, strain)
+    times_blocks(gain, work.mass, bodies, change)
+    times_blocks(held_back, setting.elastic, bodies, strain)
     for a in range(q):
         line = at(bodies.line, a)
         if dot(line, line) > 0.0:

@@ -6,17 +6,15 @@ A rule holds alpha_m, alpha_f, beta and gamma, see `Stepping`. A step is solved 
 
 from __future__ import annotations
 
-from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies, Motion, times_blocks
-from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.contact import States, Touch
+from vv.engines.dda.general.setting import Part, Rule, Setting
 from vv.engines.dda.law import SLIDE, share_to_stop
 from vv.engines.kernels.arrays import numbers, smaller, square_of
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.drive import Drive, Starts, one_of, rate
+from vv.engines.kernels.drive import one_of, rate
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot
 from vv.scene import Vector
-
-Rule = tuple[float, float, float, float]
 
 
 @lent
@@ -66,25 +64,18 @@ def update_velocities(
 
 @called
 def part_to_stop(
-    touch: Touch,
-    state: Index,
-    direction: Vector,
-    motion: Motion,
-    relative: Vector,
-    base: Drive,
-    starts: Starts,
-    time: float,
-    part: float,
+    touch: Touch, before: States, relative: Vector, setting: Setting, motion: Motion, part: Part
 ) -> float:
     """The fraction of a part of a step after which the first slide stops that it begins with, or 1.
 
-    state (c,), direction (c, 3): of the contacts at its beginning; relative (c, 3): their relative
-    displacements [m] in it; time [s]: at its beginning, negative while walls are at rest.
+    before: the contacts at its beginning; relative (c, 3): their relative displacements [m] in it;
+    the time at its beginning is negative while walls are at rest.
     """
+    base, starts, time = setting.base, setting.starts, part.time
     share = 1.0
-    for k in range(len(state)):
-        if state[k] == SLIDE:
-            along = at(direction, k)
+    for k in range(len(touch.wall)):
+        if before.state[k] == SLIDE:
+            along = at(before.direction, k)
             speed = NOWHERE
             for m in range(touch.columns[k]):
                 speed = add_scaled(
@@ -93,5 +84,5 @@ def part_to_stop(
             if touch.wall[k] >= 0 and time >= 0.0:
                 speed = add_scaled(speed, -1.0, rate(one_of(base, starts, touch.wall[k]), time))
             slip = dot(at(relative, k), along)
-            share = smaller(share, share_to_stop(part * dot(speed, along), slip))
+            share = smaller(share, share_to_stop(part.length * dot(speed, along), slip))
     return share

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.algebra.linear import factorise, substitute
 from vv.engines.dda.general.assemble import assemble_stiffness, contact_force, fill_profile
 from vv.engines.dda.general.bodies import Bodies, Motion, times_blocks
 from vv.engines.dda.general.contact import Touch
-from vv.engines.dda.general.linear import factorise, substitute
 from vv.engines.dda.general.newton import newton
+from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import OPEN, SLIDE, respond
-from vv.engines.kernels.arrays import counts, larger, numbers, table, zero_numbers, zero_rows
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import counts, larger, zero_numbers, zero_rows
+from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Vector
 
@@ -40,86 +41,102 @@ def inertia_stiffness(
 
 
 @called
-def iterate(  # noqa: PLR0912 - a branch per contact state
-    d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
-    moved: Vector, predictor: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
-    hold: float, tolerance: float, iterations: int, most: int, elastic: Vector,
-) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
-    """Solve for the unknowns d (q,) of a step [s] and for the states of all contacts.
+def iterate(
+    touch: Touch, work: Work, setting: Setting, motion: Motion, law: Law, part: Part
+) -> tuple[bool, int, Trial]:
+    """Solve for the unknowns `work.u` of a part of a step and for the states of all contacts.
 
-    outer: (q,) generalised loads; moved: (w, 3) displacements of walls [m]; predictor (q,), weight:
-    the inertia terms, see `inertia`; iterations: of the open-close iteration; most: solutions by
-    Newton's iteration if that does not converge.
-
-    Returns whether the iteration converged, the number of solutions, and per contact what the last
-    one assumed, states (c,) and friction (c, 3) [N], and its relative displacement (c, 3) [m]. The
-    states, normal forces and directions in touch are set to those that the law gives for it. It is
-    one function since solution and contact law share its arrays in each iteration.
+    Returns whether the iteration converged, the number of solutions, and the last one. The states,
+    normal forces and directions in touch are set to those that the law gives for it.
     """
-    q, count = len(d), len(touch.key)
-    first, matrix = counts(q), table(q, q)
-    right, constant = numbers(q), numbers(q)
-    used, rub = counts(count), zero_rows(count)
-    relative, shut = zero_rows(count), zero_rows(count)
-    fill_profile(first, bodies, touch)
-    times_blocks(constant, mass, bodies, predictor)
-    times_blocks(right, elastic, bodies, motion.strain)
-    for a in range(q):
-        constant[a] = outer[a] + weight / step * constant[a] - right[a]
+    trial, choices = trial_of(touch, work.moved), setting.choices
+    pose(work, touch, setting, motion, part)
+    fresh, ended, solved = True, False, 0
+    while not ended and solved < choices.iterations:
+        for k in range(len(touch.key)):
+            trial.used[k] = touch.state[k]
+        if fresh:
+            assemble_stiffness(work, touch, trial.used, setting, law, part)
+            factorise(work.matrix, work.first)
+        fill_right(work, touch, trial, law)
+        substitute(work.matrix, work.first, work.right, work.u)
+        solved += 1
+        ease = inertia_stiffness(touch, trial.used, setting.bodies, part.length, part.weight)
+        fresh, ended = respond_all(touch, trial, ease, work.u, law, choices.tolerance)
+    if not ended and choices.newton > 0:
+        ended, more = newton(touch, trial, work, setting, law, part)
+        solved += more
+    return ended, solved, trial
+
+
+@called
+def trial_of(touch: Touch, moved: Vector) -> Trial:
+    """Arrays for a solution; moved: (w, 3) displacements of walls [m]."""
+    count = len(touch.key)
+    shut = zero_rows(count)
     for k in range(count):
         if touch.wall[k] >= 0:
             put(shut, k, at(moved, touch.wall[k]))
-    fresh, ended, solved = True, False, 0
-    while not ended and solved < iterations:
-        for k in range(count):
-            used[k] = touch.state[k]
-        if fresh:
-            assemble_stiffness(
-                matrix, first, mass, bodies, touch, used, step, weight, kn, ks, elastic
-            )
-            factorise(matrix, first)
-        for a in range(q):
-            right[a] = constant[a]
-        for k in range(count):
-            pull = contact_force(
-                k, touch, used[k], touch.push[k], at(touch.direction, k), at(shut, k), kn, ks, mu
-            )
-            for m in range(touch.columns[k]):
-                right[touch.column[k, m]] += dot(at(touch.field[k], m), pull)
-        substitute(matrix, first, right, d)
-        solved += 1
-        fresh, ended = False, True
-        ease = inertia_stiffness(touch, used, bodies, step, weight)
-        for k in range(count):
-            n = at(touch.normal, k)
-            moves = add_scaled(NOWHERE, -1.0, at(shut, k))
-            for m in range(touch.columns[k]):
-                moves = add_scaled(moves, d[touch.column[k, m]], at(touch.field[k], m))
-            opened = dot(moves, n)
-            slip, taken = add_scaled(moves, -opened, n), NOWHERE
-            if used[k] == SLIDE:
-                taken = add_scaled(NOWHERE, mu * touch.push[k], at(touch.direction, k))
-            put(relative, k, moves)
-            put(rub, k, taken)
-            gap, spring, direction = (
-                touch.gap[k] + opened,
-                at(touch.spring, k),
-                at(touch.direction, k),
-            )
-            now, push, direction = respond(
-                used[k], gap, slip, spring, direction, kn, ks, mu, hold, ease[k], tolerance < np.inf
-            )
-            touch.state[k], touch.push[k] = now, push
-            put(touch.direction, k, direction)
-            if now != used[k]:
-                fresh, ended = True, False
-            elif now == SLIDE:
-                off = add_scaled(add_scaled(NOWHERE, mu * push, direction), -1.0, taken)
-                if np.sqrt(dot(off, off)) > tolerance * mu * push:
-                    ended = False
-    if ended or most == 0:
-        return ended, solved, used, rub, relative
-    ended, more, used, rub, relative = newton(
-        d, touch, bodies, mass, constant, shut, step, weight, kn, ks, mu, tolerance, most, elastic
-    )
-    return ended, solved + more, used, rub, relative
+    return Trial(counts(count), zero_rows(count), shut, zero_rows(count))
+
+
+@lent
+def pose(work: Work, touch: Touch, setting: Setting, motion: Motion, part: Part) -> None:
+    """Fill the generalised forces that depend on neither contacts nor unknowns, and the profile."""
+    constant, right, outer = work.constant, work.right, work.outer
+    fill_profile(work.first, setting.bodies, touch)
+    times_blocks(constant, work.mass, setting.bodies, work.predictor)
+    times_blocks(right, setting.elastic, setting.bodies, motion.strain)
+    for a in range(len(constant)):
+        constant[a] = outer[a] + part.weight / part.length * constant[a] - right[a]
+
+
+@inlined
+def fill_right(work: Work, touch: Touch, trial: Trial, law: Law) -> None:
+    """Fill the right-hand side of the equations for the states that a solution assumes."""
+    right, constant, used, shut = work.right, work.constant, trial.used, trial.shut
+    for a in range(len(right)):
+        right[a] = constant[a]
+    for k in range(len(used)):
+        pull = contact_force(
+            k, touch, used[k], touch.push[k], at(touch.direction, k), at(shut, k), law
+        )
+        for m in range(touch.columns[k]):
+            right[touch.column[k, m]] += dot(at(touch.field[k], m), pull)
+
+
+@inlined
+def respond_all(
+    touch: Touch, trial: Trial, ease: Vector, u: Vector, law: Law, tolerance: float
+) -> tuple[bool, bool]:
+    """Set contacts to what the law gives for unknowns u (q,), see `respond` for ease (c,).
+
+    Returns whether any of them changes its state, and whether what was assumed is a solution.
+    """
+    used, kn, ks, mu, hold = trial.used, law.kn, law.ks, law.mu, law.hold
+    fresh, ended = False, True
+    for k in range(len(used)):
+        n = at(touch.normal, k)
+        moves = add_scaled(NOWHERE, -1.0, at(trial.shut, k))
+        for m in range(touch.columns[k]):
+            moves = add_scaled(moves, u[touch.column[k, m]], at(touch.field[k], m))
+        opened = dot(moves, n)
+        slip, taken = add_scaled(moves, -opened, n), NOWHERE
+        if used[k] == SLIDE:
+            taken = add_scaled(NOWHERE, mu * touch.push[k], at(touch.direction, k))
+        put(trial.relative, k, moves)
+        put(trial.rub, k, taken)
+        gap, spring = touch.gap[k] + opened, at(touch.spring, k)
+        now, push, direction = respond(
+            used[k], gap, slip, spring, at(touch.direction, k), kn, ks, mu, hold, ease[k],
+            tolerance < np.inf,
+        )  # fmt: skip
+        touch.state[k], touch.push[k] = now, push
+        put(touch.direction, k, direction)
+        if now != used[k]:
+            fresh, ended = True, False
+        elif now == SLIDE:
+            off = add_scaled(add_scaled(NOWHERE, mu * push, direction), -1.0, taken)
+            if np.sqrt(dot(off, off)) > tolerance * mu * push:
+                ended = False
+    return fresh, ended

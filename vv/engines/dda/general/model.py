@@ -6,7 +6,7 @@ import dataclasses
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -28,7 +28,7 @@ from vv.engines.dda.limits import (
     UNLIKE,
 )
 from vv.engines.dda.springs import Springs
-from vv.engines.dda.stepping import IMPLICIT
+from vv.engines.dda.stepping import IMPLICIT, Steps
 from vv.scene import Block, Scene, Term, Vector
 
 
@@ -84,28 +84,24 @@ class General:
         energy, report = np.empty((rows, 13)), np.empty((rows, 9))
         return np.empty((rows, len(watched), 21)), energy, report, np.array(watched, np.int64)
 
-    def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
-        """The arguments of the kernel after the outputs.
+    def arguments(self, steps: Steps, law: Springs) -> tuple[Any, ...]:
+        """The arguments of the kernel after the outputs."""
+        initial = self.pressed(law) if self.formulation.pressed else self.motion()
+        return steps, self.setting(self.formulation.dd, law), initial, self.motion()
 
-        step: stride, dt, settling, tolerance, iterations.
-        """
-        initial = self.pressed(law, step[-2:]) if self.formulation.pressed else self.motion()
-        return (*step, *self.model_arguments(initial, self.motion(), self.formulation.dd, law))
-
-    def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
+    def pressed(self, law: Springs) -> Any:
         """The start, with contacts that carry the loads at rest as if friction were unlimited.
 
         If nothing moves at t = 0, wedges that friction does not hold are then released by `eased`.
-        Elastic blocks start unstrained, and are pressed as if rigid, unless all are relaxed. rule:
-        tolerance and iterations.
+        Elastic blocks start unstrained, and are pressed as if rigid, unless all are relaxed.
         """
         start, bodies = self.motion(), self.bodies()
         if all(block.elastic and block.elastic.relaxed for block in self.scene.blocks):
-            return self.at_rest(law, rule)._replace(velocity=start.velocity)
+            return self.at_rest(law)._replace(velocity=start.velocity)
         stiff = self.stiff()
-        rest = stiff.at_rest(law, rule)
+        rest = stiff.at_rest(law)
         if self.formulation.eased and self.wedged and not start.velocity.any():
-            rest = stiff.eased(rest, law, rule)
+            rest = stiff.eased(rest, law)
         own = np.arange(len(start.strain)) < np.repeat(bodies.strains, np.diff(bodies.start))
         start.strain[own] = rest.strain
         return rest._replace(velocity=start.velocity, strain=start.strain)
@@ -127,7 +123,7 @@ class General:
             return self
         return General(self.scene, dataclasses.replace(self.formulation, stepping=IMPLICIT))
 
-    def at_rest(self, law: Springs, rule: tuple[Any, ...]) -> Any:
+    def at_rest(self, law: Springs) -> Any:
         """The positions in which contacts carry the loads, from a few steps with little inertia.
 
         Blocks stay in place if one of them is not supported. The first step shows this; further
@@ -136,7 +132,7 @@ class General:
         gripping, start, end = Springs(law.kn, law.ks, GRIP), self.motion(), self.motion()
         start.velocity[:] = 0.0
         for steps in (1, STATIC_STEPS):
-            end = self.settled(start, gripping, STATIC, steps, rule)
+            end = self.settled(start, gripping, STATIC, steps)
             if np.linalg.norm(end.centre - start.centre, axis=1).max() > self.sinks(law):
                 return start
         return end
@@ -152,7 +148,7 @@ class General:
         unlike = any(np.linalg.norm(np.cross(normals[0], one)) > UNLIKE for one in normals[1:])
         return unlike and not any(block.free_spin.any() for block in self.scene.blocks)
 
-    def eased(self, held: Any, law: Springs, rule: tuple[Any, ...]) -> Any:
+    def eased(self, held: Any, law: Springs) -> Any:
         """The state in which wedges that friction does not hold slide steadily on their springs.
 
         Without it, tangential springs would accelerate them at t = 0, and a wedge would keep that
@@ -163,7 +159,7 @@ class General:
         held.velocity[:] = 0.0
         end, over = held, EASING
         for _ in range(self.formulation.eased):
-            one, two, end = (self.settled(held, law, over, n * EASED, rule) for n in (1, 2, 3))
+            one, two, end = (self.settled(held, law, over, n * EASED) for n in (1, 2, 3))
             early, late = two.strain - one.strain, end.strain - two.strain
             whole, over = end.strain - held.strain, HARDER * over
             if np.linalg.norm(late - early) <= EVENLY * np.linalg.norm(whole):
@@ -174,15 +170,13 @@ class General:
                 end.strain[one] = late[one]
         return end
 
-    def settled(
-        self, start: Any, law: Springs, over: float, steps: int, rule: tuple[Any, ...]
-    ) -> Any:
+    def settled(self, start: Any, law: Springs, over: float, steps: int) -> Any:
         """The end of `steps` steps, each from rest; over: kn over the inertia stiffness."""
         heaviest = max(block.mass for block in self.scene.blocks)
         dt = float(np.sqrt(2 * heaviest * over / law.kn))
         end = self.motion()
-        given = self.implicit().model_arguments(start, end, 0.0, law)
-        self.kernel()(*self.outputs(1, ()), 1, dt, steps, *rule, *given)
+        setting = self.implicit().setting(0.0, law)
+        self.kernel()(*self.outputs(1, ()), Steps(1, dt, steps), setting, start, end)
         return end
 
     def sinks(self, law: Springs) -> float:
@@ -192,37 +186,31 @@ class General:
         soft = ((block.elastic, size(block)) for block in self.scene.blocks)
         return float(FLOAT * loads * (1 / law.kn + sum(1 / (e.young * h) for e, h in soft if e)))
 
-    def model_arguments(self, initial: Any, end: Any, dd: float, law: Springs) -> tuple[Any, ...]:
-        """The arguments of the kernel after the step; `end` is where it writes the last motion."""
+    def setting(self, dd: float, law: Springs) -> Any:
+        """The constant data as the kernel takes them; dd: see `Formulation`."""
+        from vv.engines.dda.general.setting import Choices, Law, Rule, Setting
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
 
-        scene, blocks, choices = self.scene, self.scene.blocks, self.formulation
+        scene, choices = self.scene, self.formulation
         base, starts = drives(tuple(wall.motion for wall in scene.walls))
-        return (
-            choices.newton,
-            tuple(choices.stepping),
-            choices.shaking_at,
-            choices.terms,
-            choices.turns,
-            choices.follow,
-            dd,
-            float(self.formulation.charged),
-            choices.multipliers,
-            self.bodies(),
-            initial,
-            end,
-            self.shape,
-            np.array([bool(b.free.any() or b.free_spin.any()) for b in blocks]),
-            planes(scene),
-            base,
-            starts,
-            drive(scene.shaking or NO_MOTION),
-            depth_axis(scene),
-            REACH * float(self.shape.size.min()),
-            law.kn,
-            law.ks or 0.0,
-            law.mu or 0.0,
-            self.elastic(),
+        told = Choices(
+            choices.tolerance, choices.iterations, choices.newton, choices.multipliers,
+            cast(Rule, tuple(choices.stepping)), choices.shaking_at, choices.terms, choices.turns,
+            choices.follow, dd,
+        )  # fmt: skip
+        return Setting(
+            bodies=self.bodies(),
+            shapes=self.shape,
+            moves=np.array([bool(b.free.any() or b.free_spin.any()) for b in scene.blocks]),
+            planes=planes(scene),
+            depth=depth_axis(scene),
+            reach=REACH * float(self.shape.size.min()),
+            base=base,
+            starts=starts,
+            shaking=drive(scene.shaking or NO_MOTION),
+            elastic=self.elastic(),
+            law=Law(law.kn, law.ks or 0.0, law.mu or 0.0, float(choices.charged)),
+            choices=told,
         )
 
     def bodies(self) -> Any:

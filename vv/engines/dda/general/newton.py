@@ -10,14 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.blocks.geometry import Index
-from vv.engines.dda.general.assemble import fill_profile
-from vv.engines.dda.general.bodies import Bodies, times_blocks
+from vv.engines.dda.general.algebra.linear import back, eliminate
+from vv.engines.dda.general.bodies import times_blocks
 from vv.engines.dda.general.contact import Touch
-from vv.engines.dda.general.linear import back, eliminate
+from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import LEAST
-from vv.engines.kernels.arrays import counts, numbers, table, zero_numbers, zero_rows
+from vv.engines.kernels.arrays import numbers, zero_numbers
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
@@ -48,12 +47,14 @@ def force_decrease(
 
 
 @lent
-def tangent(
-    matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, turn: Vector,
-    step: float, weight: float, kn: float, ks: float, mu: float, elastic: Vector,
-) -> None:  # fmt: skip
-    """Fill matrix (q, q) in its profile: inertia, strains, and derivatives of contact forces."""
-    scale = weight / (step * step)
+def tangent(touch: Touch, turn: Vector, work: Work, setting: Setting, law: Law, part: Part) -> None:
+    """Fill the matrix in its profile: inertia, strains, and derivatives of contact forces.
+
+    turn: (c,) see `force_decrease`.
+    """
+    matrix, first, mass = work.matrix, work.first, work.mass
+    bodies, elastic, kn, ks, mu = setting.bodies, setting.elastic, law.kn, law.ks, law.mu
+    scale = part.weight / (part.length * part.length)
     for a in range(len(first)):
         for b in range(first[a], a + 1):
             matrix[a, b] = matrix[b, a] = 0.0
@@ -86,41 +87,22 @@ def relative_motion(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
 
 @called
 def residual_energy(
-    d: Vector, touch: Touch, turn: Vector, bodies: Bodies, mass: Vector, constant: Vector,
-    shut: Vector, step: float, weight: float, kn: float, ks: float, mu: float, elastic: Vector,
+    d: Vector, touch: Touch, turn: Vector, shut: Vector, work: Work, setting: Setting, law: Law,
+    part: Part,
 ) -> float:  # fmt: skip
     """Set contacts to the states that the law gives for unknowns d (q,); return the residual [J].
 
     It is the sum of squared residuals of the equations, each divided by the inertia of its unknown.
+    turn: (c,) is set, see `force_decrease`; shut: (c, 3) displacements of walls [m].
     """
-    q, scale = len(d), weight / (step * step)
-    left, strained = numbers(q), numbers(q)
+    q, scale, bodies = len(d), part.weight / (part.length * part.length), setting.bodies
+    left, strained, mass, constant = numbers(q), numbers(q), work.mass, work.constant
     times_blocks(left, mass, bodies, d)
-    times_blocks(strained, elastic, bodies, d)
+    times_blocks(strained, setting.elastic, bodies, d)
     for a in range(q):
         left[a] = scale * left[a] + strained[a] - constant[a]
     for k in range(len(touch.key)):
-        n, moves = at(touch.normal, k), relative_motion(k, touch, d, shut)
-        opened = dot(moves, n)
-        trial = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
-        push, length = -kn * (touch.gap[k] + opened), np.sqrt(dot(trial, trial))
-        now, direction, turn[k], pull = (
-            STICK,
-            NOWHERE,
-            0.0,
-            add_scaled(add_scaled(NOWHERE, push, n), -ks, trial),
-        )
-        if push <= 0.0:
-            now, push, pull = OPEN, 0.0, NOWHERE
-        elif ks * length > mu * push:
-            now, turn[k], direction = (
-                SLIDE,
-                mu * push / length,
-                add_scaled(NOWHERE, 1.0 / length, trial),
-            )
-            pull = add_scaled(add_scaled(NOWHERE, push, n), -mu * push, direction)
-        touch.state[k], touch.push[k] = now, push
-        put(touch.direction, k, direction)
+        pull = respond_exactly(k, touch, turn, relative_motion(k, touch, d, shut), law)
         for m in range(touch.columns[k]):
             left[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
     total = 0.0
@@ -130,74 +112,103 @@ def residual_energy(
     return total
 
 
+@lent
+def respond_exactly(k: int, touch: Touch, turn: Vector, moves: Triple, law: Law) -> Triple:
+    """Set contact k to the state that the law gives for its displacement [m]; return its force."""
+    kn, ks, mu = law.kn, law.ks, law.mu
+    n = at(touch.normal, k)
+    opened = dot(moves, n)
+    trial = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
+    push, length = -kn * (touch.gap[k] + opened), np.sqrt(dot(trial, trial))
+    now, direction, turn[k] = STICK, NOWHERE, 0.0
+    pull = add_scaled(add_scaled(NOWHERE, push, n), -ks, trial)
+    if push <= 0.0:
+        now, push, pull = OPEN, 0.0, NOWHERE
+    elif ks * length > mu * push:
+        now, turn[k] = SLIDE, mu * push / length
+        direction = add_scaled(NOWHERE, 1.0 / length, trial)
+        pull = add_scaled(add_scaled(NOWHERE, push, n), -mu * push, direction)
+    touch.state[k], touch.push[k] = now, push
+    put(touch.direction, k, direction)
+    return pull
+
+
 @called
 def newton(
-    d: Vector, touch: Touch, bodies: Bodies, mass: Vector, constant: Vector, shut: Vector,
-    step: float, weight: float, kn: float, ks: float, mu: float, tolerance: float, most: int,
-    elastic: Vector,
-) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
-    """As `iterate`, from unknowns d (q,), by at most `most` solutions.
+    touch: Touch, trial: Trial, work: Work, setting: Setting, law: Law, part: Part
+) -> tuple[bool, int]:
+    """As `iterate`, from the unknowns and the constant forces and profile in `work`.
 
-    constant: (q,) generalised forces that depend on neither contacts nor unknowns; shut: (c, 3)
-    displacements of walls [m]. An increment is halved until the residual decreases. It is one
-    function since equations, solution and line search share its arrays.
+    Returns whether it converged, and the number of solutions. An increment is halved until the
+    residual decreases.
     """
-    q, count = len(d), len(touch.key)
-    first, matrix = counts(q), table(q, q)
-    right, ahead, trial = numbers(q), numbers(q), numbers(q)
-    used, rub, relative = counts(count), zero_rows(count), zero_rows(count)
-    turn = zero_numbers(count)
-    fill_profile(first, bodies, touch)
-    rest = bodies, mass, constant, shut, step, weight, kn, ks, mu, elastic
-    left = residual_energy(d, touch, turn, *rest)
+    q, d, shut, tolerance = len(work.u), work.u, trial.shut, setting.choices.tolerance
+    ahead, halved, turn = numbers(q), numbers(q), zero_numbers(len(touch.key))
+    left = residual_energy(d, touch, turn, shut, work, setting, law, part)
     ended, solved = False, 0
-    while not ended and solved < most:
-        tangent(matrix, first, mass, bodies, touch, turn, step, weight, kn, ks, mu, elastic)
-        eliminate(matrix, first)
-        for a in range(q):
-            right[a] = constant[a]
-        for k in range(count):
-            used[k] = touch.state[k]
-            if used[k] != OPEN:
-                n, direction = at(touch.normal, k), at(touch.direction, k)
-                still = add_scaled(
-                    add_scaled(at(touch.spring, k), touch.gap[k], n), -1.0, at(shut, k)
-                )
-                pull = force_decrease(n, direction, used[k], turn[k], kn, ks, mu, still)
-                for m in range(touch.columns[k]):
-                    right[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
-        back(matrix, first, right, ahead)
+    while not ended and solved < setting.choices.newton:
+        tangent(touch, turn, work, setting, law, part)
+        eliminate(work.matrix, work.first)
+        fill_tangent_right(work, touch, trial, turn, law)
+        back(work.matrix, work.first, work.right, ahead)
         solved += 1
-        for k in range(count):
-            n, direction, moves = (
-                at(touch.normal, k),
-                at(touch.direction, k),
-                relative_motion(k, touch, ahead, shut),
-            )
-            opened, taken = dot(moves, n), NOWHERE
-            if used[k] == SLIDE:
-                taken = add_scaled(NOWHERE, -mu * kn * (touch.gap[k] + opened), direction)
-                stretch = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
-                taken = add_scaled(
-                    taken, turn[k], add_scaled(stretch, -dot(direction, stretch), direction)
-                )
-            put(relative, k, moves)
-            put(rub, k, taken)
-        now, share, ended = residual_energy(ahead, touch, turn, *rest), 1.0, True
-        for k in range(count):
-            ended = ended and touch.state[k] == used[k]
-            if touch.state[k] == SLIDE:
-                force = mu * touch.push[k]
-                off = add_scaled(
-                    add_scaled(NOWHERE, force, at(touch.direction, k)), -1.0, at(rub, k)
-                )
-                ended = ended and np.sqrt(dot(off, off)) <= tolerance * force
+        fill_trial(trial, touch, ahead, turn, law)
+        now, share = residual_energy(ahead, touch, turn, shut, work, setting, law, part), 1.0
+        ended = is_solution(touch, trial, law.mu, tolerance)
         while not (ended or now < (1.0 - LEAST * share) * left or share < LEAST):
             share *= 0.5
             for a in range(q):
-                trial[a] = d[a] + share * (ahead[a] - d[a])
-            now = residual_energy(trial, touch, turn, *rest)
+                halved[a] = d[a] + share * (ahead[a] - d[a])
+            now = residual_energy(halved, touch, turn, shut, work, setting, law, part)
         for a in range(q):
-            d[a] = ahead[a] if share == 1.0 else trial[a]
+            d[a] = ahead[a] if share == 1.0 else halved[a]
         left = now
-    return ended, solved, used, rub, relative
+    return ended, solved
+
+
+@lent
+def fill_tangent_right(work: Work, touch: Touch, trial: Trial, turn: Vector, law: Law) -> None:
+    """Fill the right-hand side of Newton's equations; the solution assumes the present states."""
+    right, constant, used = work.right, work.constant, trial.used
+    for a in range(len(right)):
+        right[a] = constant[a]
+    for k in range(len(used)):
+        used[k] = touch.state[k]
+        if used[k] != OPEN:
+            n, direction = at(touch.normal, k), at(touch.direction, k)
+            still = add_scaled(
+                add_scaled(at(touch.spring, k), touch.gap[k], n), -1.0, at(trial.shut, k)
+            )
+            pull = force_decrease(n, direction, used[k], turn[k], law.kn, law.ks, law.mu, still)
+            for m in range(touch.columns[k]):
+                right[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
+
+
+@lent
+def fill_trial(trial: Trial, touch: Touch, d: Vector, turn: Vector, law: Law) -> None:
+    """Fill displacements of contacts and friction of a solution d (q,) of Newton's equations."""
+    for k in range(len(turn)):
+        n, direction = at(touch.normal, k), at(touch.direction, k)
+        moves = relative_motion(k, touch, d, trial.shut)
+        opened, taken = dot(moves, n), NOWHERE
+        if trial.used[k] == SLIDE:
+            taken = add_scaled(NOWHERE, -law.mu * law.kn * (touch.gap[k] + opened), direction)
+            stretch = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
+            turned = add_scaled(stretch, -dot(direction, stretch), direction)
+            taken = add_scaled(taken, turn[k], turned)
+        put(trial.relative, k, moves)
+        put(trial.rub, k, taken)
+
+
+@lent
+def is_solution(touch: Touch, trial: Trial, mu: float, tolerance: float) -> bool:
+    """Whether the present states and friction of contacts are those that a solution assumed."""
+    same = True
+    for k in range(len(trial.used)):
+        same = same and touch.state[k] == trial.used[k]
+        if touch.state[k] == SLIDE:
+            force = mu * touch.push[k]
+            due = add_scaled(NOWHERE, force, at(touch.direction, k))
+            off = add_scaled(due, -1.0, at(trial.rub, k))
+            same = same and np.sqrt(dot(off, off)) <= tolerance * force
+    return same

@@ -8,6 +8,7 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies, Motion, centre_displacement, fill_gradient
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.energy import KINETIC, NORMAL, REPORTS, SHEAR, STRAIN, TERMS
+from vv.engines.dda.general.setting import Work
 from vv.engines.kernels.arrays import rows
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, put
@@ -43,10 +44,11 @@ def fill_forces(
 
 @called
 def write_row(
-    path: Vector, energy: Vector, report: Vector, watched: Index, origin: Vector,
-    bodies: Bodies, motion: Motion, pressed: Vector, given: Vector, ledger: Vector, worst: Vector,
+    path: Vector, energy: Vector, report: Vector, watched: Index, work: Work, bodies: Bodies,
+    motion: Motion,
 ) -> None:  # fmt: skip
-    """Write a row: path (b, 21), energy (13,), report (9,); pressed, given: see `fill_forces`."""
+    """Write a row: path (b, 21), energy (13,), report (9,)."""
+    origin, pressed, given = work.origin, work.pressed, work.given
     tensor = rows(3)
     for b in range(len(watched)):
         i = watched[b]
@@ -59,6 +61,6 @@ def write_row(
             for j in range(3):
                 path[b, 6 + 3 * c + j] = tensor[c, j]
     for term in range(TERMS):
-        energy[term] = ledger[term]
+        energy[term] = work.ledger[term]
     for term in range(REPORTS):
-        report[term] = worst[term]
+        report[term] = work.worst[term]

@@ -10,6 +10,8 @@ without contact.
 
 from __future__ import annotations
 
+from vv.engines.dda.general.algebra.linear import factorise, substitute
+from vv.engines.dda.general.algebra.matrices import congruent, moment_product
 from vv.engines.dda.general.bodies import (
     Bodies,
     Motion,
@@ -17,8 +19,6 @@ from vv.engines.dda.general.bodies import (
     fill_gradient,
     times_blocks,
 )
-from vv.engines.dda.general.linear import factorise, substitute
-from vv.engines.dda.general.matrices import congruent, moment_product
 from vv.engines.kernels.arrays import (
     numbers,
     rows,

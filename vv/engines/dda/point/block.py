@@ -8,14 +8,6 @@ from vv.engines.kernels.drive import Drive
 from vv.engines.kernels.triples import Triple
 
 
-class Steps(NamedTuple):
-    """A row per `stride` steps of dt [s]; `settling` steps of gravity alone before t = 0."""
-
-    stride: int
-    dt: float
-    settling: int
-
-
 class Rule(NamedTuple):
     """The choices of the formulation that the kernel needs.
 

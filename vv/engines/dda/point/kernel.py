@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.engines.dda.law import OPEN, SLIDE, STICK, share_to_stop
 from vv.engines.dda.limits import CUTS, GAIN, SOON
-from vv.engines.dda.point.block import Block, Contact, Drives, Friction, Motion, Rule, Steps
+from vv.engines.dda.point.block import Block, Contact, Drives, Friction, Motion, Rule
 from vv.engines.dda.point.energies import (
     CARRIED,
     CUT,
@@ -28,6 +28,7 @@ from vv.engines.dda.point.energies import (
     write_row,
 )
 from vv.engines.dda.point.iteration import Posed, Solved, equations_of, iterate
+from vv.engines.dda.stepping import Steps
 from vv.engines.kernels.arrays import zero_numbers
 from vv.engines.kernels.compiled import compiled, inlined
 from vv.engines.kernels.drive import rate, travel, value

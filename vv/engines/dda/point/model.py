@@ -13,6 +13,7 @@ from vv.engines.blocks.single_block import Lone, lone
 from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.limits import FLOAT
 from vv.engines.dda.springs import Springs
+from vv.engines.dda.stepping import Steps
 from vv.scene import Scene, Term, Vector
 
 LEVEL = 1e-9  # relative to a block's size: vertices this close to the lowest touch a wall too
@@ -47,17 +48,13 @@ class Sliding:
         """The arrays that the kernel fills."""
         return np.empty((rows, 6)), np.empty((rows, 13)), np.empty((rows, 9))
 
-    def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
-        """The arguments of the kernel after the outputs.
-
-        step: stride, dt, settling, tolerance, iterations.
-        """
-        from vv.engines.dda.point.block import Block, Drives, Friction, Rule, Steps
+    def arguments(self, steps: Steps, law: Springs) -> tuple[Any, ...]:
+        """The arguments of the kernel after the outputs."""
+        from vv.engines.dda.point.block import Block, Drives, Friction, Rule
         from vv.engines.kernels.drive import NO_MOTION, drive
 
         block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
         choices, scene = self.formulation, self.scene
-        *steps, tolerance, iterations = step
         shaking, drives = drive(scene.shaking or NO_MOTION), None
         if wall.motion is not None or scene.shaking is not None:
             along_free = shaking._replace(direction=shaking.direction @ hold)
@@ -69,10 +66,13 @@ class Sliding:
             block.mass, self.points, law.kn, _triple(gravity), _triple(load),
             _triple(load + block.mass * gravity), _triple(wall.normal), self.lone.gap, drives,
         )  # fmt: skip
-        rule = Rule(tolerance, iterations, float(choices.charged), choices.dd, choices.shaking_at)
+        rule = Rule(
+            choices.tolerance, choices.iterations, float(choices.charged), choices.dd,
+            choices.shaking_at,
+        )  # fmt: skip
         rough = None if law.ks is None or law.mu is None else Friction(law.ks, law.mu)
         return (
-            Steps(*steps),
+            steps,
             rule,
             _triple(hold @ block.velocity),
             choices.pressed and self._rests(law),

@@ -10,19 +10,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies, Motion
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.energy import (
-    BASE,
     CREATED,
     DEEPEST,
     EXCESS,
     FRICTION,
     NUMERICAL,
-    PEAK,
+    add_force,
 )
 from vv.engines.dda.general.iterate import inertia_stiffness, iterate
+from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM, HELD, PATIENT, SLOW, STUCK
 from vv.engines.kernels.arrays import larger, same_numbers, smaller
@@ -54,16 +53,17 @@ def energy_of_fall(bodies: Bodies, reach: float) -> float:
 
 @lent
 def take_over_forces(
-    touch: Touch, used: Index, rub: Vector, relative: Vector, gap: Vector, stiff: float,
-    shear: float, mu: float,
-) -> tuple[float, float, bool]:  # fmt: skip
+    touch: Touch, trial: Trial, gap: Vector, law: Law
+) -> tuple[float, float, bool]:
     """Set touch.push and touch.spring to the whole contact forces, which the multipliers take over.
 
-    gap: (c,) actual gaps before the step [m]; stiff, shear: of the springs [N/m]; touch.spring is a
-    force divided by shear. Returns the largest force [N]; the largest error of a force [N], either
-    carried by a spring or violating the contact law; and whether friction still rotates slowly
-    somewhere. A pass rotates friction by the slip times shear over mu N.
+    gap: (c,) actual gaps before the step [m]; touch.spring is a force divided by ks. Returns the
+    largest force [N]; the largest error of a force [N], either carried by a spring or violating the
+    contact law; and whether friction still rotates slowly somewhere. A pass rotates friction by the
+    slip times ks over mu N.
     """
+    used, rub, relative = trial.used, trial.rub, trial.relative
+    stiff, shear, mu = law.kn, law.ks, law.mu
     off, most, turns = 0.0, 0.0, False
     for k in range(len(touch.key)):
         n, moves = at(touch.normal, k), at(relative, k)
@@ -119,31 +119,28 @@ def restart_sticking(touch: Touch) -> None:
 
 @called
 def iterate_multipliers(
-    d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
-    moved: Vector, predictor: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
-    hold: float, tolerance: float, iterations: int, newton: int, elastic: Vector, most: int,
-) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
-    """Repeat `iterate` in at most `most` passes, until springs carry nothing.
+    touch: Touch, work: Work, setting: Setting, motion: Motion, part: Part
+) -> tuple[bool, int, Trial]:
+    """Repeat `iterate` in at most so many passes as choices say, until springs carry nothing.
 
-    kn, ks: stiffnesses to start with. They are first raised above the inertia of contacts, and
-    again after passes that leave more than SLOW of the forces, unless the rest is rounding and
-    friction has rotated with the slip. A pass that does not converge is repeated once with all
-    contacts sticking. The normal forces in touch become the multipliers, and its springs the
-    tangential multipliers over ks.
+    The stiffnesses of springs are first raised above the inertia of contacts, and again after
+    passes that leave more than SLOW of the forces, unless the rest is rounding and friction has
+    rotated with the slip. A pass that does not converge is repeated once with all contacts
+    sticking. The normal forces in touch become the multipliers, and its springs the tangential
+    multipliers over ks.
     """
+    most, kn, ks = setting.choices.multipliers, setting.law.kn, setting.law.ks
     gap, firm = same_numbers(touch.gap, len(touch.key)), kn
-    for light in inertia_stiffness(touch, touch.state, bodies, step, weight):
+    for light in inertia_stiffness(touch, touch.state, setting.bodies, part.length, part.weight):
         firm = larger(firm, FIRM * light)
     times, passes, solved, before, ended, anew = firm / kn, 0, 0, np.inf, False, False
     blur = gap_rounding(motion)
     shorten_springs(touch, gap, firm, times)
     while True:
-        still, more, used, rub, relative = iterate(
-            d, touch, bodies, motion, mass, outer, moved, predictor, step, weight, firm,
-            ks * times, mu, hold, tolerance, iterations, newton, elastic,
-        )  # fmt: skip
+        law = Law(firm, ks * times, setting.law.mu, setting.law.hold)
+        still, more, trial = iterate(touch, work, setting, motion, law, part)
         solved, passes = solved + more, passes + 1
-        force, off, turns = take_over_forces(touch, used, rub, relative, gap, firm, ks * times, mu)
+        force, off, turns = take_over_forces(touch, trial, gap, law)
         slow = off > SLOW * before
         stuck = off > STUCK * before and off <= firm * blur
         ended = off <= HELD * force or (stuck and (not turns or passes >= PATIENT))
@@ -156,18 +153,17 @@ def iterate_multipliers(
         before, firm, times = off, firm * grow, times * grow
         shorten_springs(touch, gap, firm, grow)
     shorten_springs(touch, gap, np.inf, 1.0 / times)
-    return ended, solved, used, rub, relative
+    return ended, solved, trial
 
 
 @lent
-def add_multiplier_energies(
-    ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
-    relative: Vector, moved: Vector, ks: float, mu: float,
-) -> None:  # fmt: skip
+def add_multiplier_energies(work: Work, touch: Touch, trial: Trial, law: Law) -> None:
     """As `add_contact_energies`, for contacts that store none: all work but friction's is lost.
 
     touch: as `iterate_multipliers` left it.
     """
+    ledger, worst, pull = work.ledger, work.worst, work.pull
+    used, relative, ks, mu = trial.used, trial.relative, law.ks, law.mu
     for a in range(len(pull)):
         pull[a] = 0.0
     for k in range(len(touch.key)):
@@ -178,20 +174,14 @@ def add_multiplier_energies(
             rubs = add_scaled(NOWHERE, -ks, at(touch.spring, k))
             ledger[NUMERICAL] -= dot(rubs, slip)
         elif used[k] == SLIDE:
-            rubs = add_scaled(NOWHERE, -1.0, at(rub, k))
+            rubs = add_scaled(NOWHERE, -1.0, at(trial.rub, k))
             gained = dot(rubs, slip)  # positive in steps in which a slide turns
             ledger[FRICTION] -= smaller(gained, 0.0)
             ledger[NUMERICAL] -= larger(gained, 0.0)
             ledger[CREATED] += larger(0.0, gained)
         ledger[NUMERICAL] -= push * opened
         ledger[CREATED] += larger(0.0, push * opened)
-        force = add_scaled(rubs, push, n)
-        put(touch.force, k, force)
-        for m in range(touch.columns[k]):
-            pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
+        add_force(work, touch, k, push, rubs, 1.0)
         worst[EXCESS] = larger(worst[EXCESS], length(rubs) - mu * push)
-        worst[PEAK] = larger(worst[PEAK], push)
-        if touch.wall[k] >= 0:
-            ledger[BASE] += dot(force, at(moved, touch.wall[k]))
         touch.gap[k] += opened
         worst[DEEPEST] = larger(worst[DEEPEST], -touch.gap[k])

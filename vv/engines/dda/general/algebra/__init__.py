@@ -1,0 +1,1 @@
+"""Kernels of plain algebra: matrices of three rows, and systems of equations in a profile."""
