@@ -14,6 +14,8 @@ import pytest
 from tests import ROOT
 from tests.conftest import Tiny
 from tests.support.written_pages import shown, write
+from vv.ask import NO_STIFFNESS, Ask, History, Knobs
+from vv.plan.project import find
 
 PAGE = shown("extending.md")
 CASE = ("cases/rebound.py", "reference_solutions/rebound.py")
@@ -73,6 +75,22 @@ def pytest_in(project: Tiny, *words: str) -> subprocess.CompletedProcess[str]:
 
 def test_a_case_is_one_file_beside_its_answer_and_a_code_is_one_file() -> None:
     assert set(PAGE) == {*CASE, *SECOND, CODE, TERM}
+
+
+def test_the_block_of_the_page_is_taken_by_codes_of_blocks_springs_and_spheres() -> None:
+    page = (ROOT / "docs" / "extending.md").read_text(encoding="utf-8")
+    section = page.partition("### Blocks and rigid contact")[2]
+    said: dict[str, Any] = {}
+    exec(section.partition("```python\n")[2].partition("```")[0], said)
+    project = find()
+
+    def refusal(code: str, knobs: Knobs) -> str | None:
+        ask = Ask(said["scene"], History(0.1, 0.01), (said["BLOCK"],), knobs)
+        return project.load_adapter(code).refuses(ask, "default")
+
+    codes = ("exact", "rigid", "dda", "dem")
+    assert [refusal(code, said["RUNGS"][0]) for code in codes] == [None] * 4
+    assert [refusal(code, Knobs(dt=1e-4)) for code in codes] == [None] * 2 + [NO_STIFFNESS] * 2
 
 
 def test_the_case_is_judged_where_it_runs_and_refused_elsewhere_for_what_is_lacking(

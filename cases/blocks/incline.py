@@ -62,6 +62,8 @@ def _scene(variant: str, p: Parameters) -> Scene:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    if not 0 <= p["phi"] < 90:
+        raise ValueError(f"phi = {p['phi']!r} deg; a friction angle must be from 0 to below 90")
     if p["Ay"] < 0:
         raise ValueError(f"Ay = {p['Ay']!r} m/s2; an amplitude must be zero or more")
     if variant == FREE and not np.tan(np.radians(p["phi"])) * FLAT < SIDE:

@@ -145,6 +145,8 @@ def floor_stages(
     w: float,
 ) -> tuple[Stage, ...]:
     """The stages that begin up to `end` [s], in order."""
+    if not mu > 0.0:
+        raise ValueError(f"mu = {mu}; it must be positive, since friction ends slip and begins it")
     require_positive("in SI units", rho=rho, r=r, kn=kn, ks=ks, mu=mu, g=g, gap=gap)
     require_finite("in SI units", v_n=v_n, v_t=v_t, w=w)
     m = rho * 4.0 / 3.0 * pi * r**3
@@ -249,6 +251,9 @@ def _first_fall(margin: Callable[[Array], Array], begin: float, end: float) -> f
     if not len(below):
         return None
     if below[0] == 0:
-        raise ValueError(f"a stage of less than 1/{CELLS} of a contact, at {begin} s of it")
+        raise ValueError(
+            f"the contact sticks or slips for less than 1/{CELLS} of its duration, {begin:.3g} s "
+            "after it closed; stages so short are not solved"
+        )
     low, high = grid[below[0] - 1], grid[below[0]]
     return float(brentq(lambda x: float(margin(np.asarray(x))), low, high, xtol=1e-20, rtol=1e-15))

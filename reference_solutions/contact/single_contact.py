@@ -199,8 +199,9 @@ def _rates(
     """n, k and wd [1/s]. Raises ValueError unless 0 <= n < share k."""
     n, k = eta / (2.0 * m), sqrt(stiffness / m)
     if not 0.0 <= n < share * k:
-        limit = f"{share * 2.0 * m * k:.9g} N s/m ({share:.4g} of critical, 2 m k)"
-        raise ValueError(f"eta = {eta} N s/m; it must be at least 0 and below {limit}")
+        limit = f"{share * 2.0 * m * k:.9g} N s/m"
+        critical = "critical damping" if share == 1.0 else f"{share:.4g} of critical damping"
+        raise ValueError(f"eta = {eta} N s/m; it must be at least 0 and below {limit}, {critical}")
     return n, k, sqrt((k - n) * (k + n))
 
 

@@ -15,9 +15,12 @@ from vv.records.finding import Bit
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"value": 0.0}, r"Tolerance\.value = 0\.0; it must be positive"),
+        ({"value": 0.0}, r"Tolerance\.value = 0; the relative error that it allows must be posit"),
         ({"value": -1e-3}, r"Tolerance\.value = -0\.001"),
-        ({"value": 0.2}, r"Tolerance\.value = 0\.2; it must be positive and at most 0\.1"),
+        (
+            {"value": 0.2},
+            r"Tolerance\.value = 0\.2; the relative error .* must be positive and at most 0\.1",
+        ),
         ({"dt": 0.0}, r"Tolerance\.dt = 0\.0 s"),
         ({"kn": -1e9}, r"Tolerance\.kn = -1000000000\.0 N/m"),
         ({"order": 2}, r"Tolerance\.order = 2; .* needs the dt"),

@@ -50,6 +50,27 @@ def test_a_parameter_that_leaves_no_answer_is_refused(
 
 
 @pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("bounce:floor kn=1", "with kn = 1.0 N/m: the contact sticks or slips for less than"),
+        ("bounce:floor mu=0", "mu = 0.0; it must be positive, since friction ends slip"),
+        ("incline:gravity-5 phi=-5", "phi = -5.0 deg; a friction angle must be from 0"),
+        ("incline:gravity-5 phi=95", "phi = 95.0 deg; a friction angle must be from 0"),
+        ("single-contact:T2 eta=2e12", "eta = 2000000000000.0 N s/m; .* N s/m, critical damping"),
+        ("single-contact:T3 eta=2e12", r"N s/m, 0\.9239 of critical damping"),
+    ],
+)
+def test_a_far_value_is_refused_by_its_own_name_and_a_rule_of_the_field(
+    given: str, words: str
+) -> None:
+    name, setting = given.split()
+    case, _, variant = name.partition(":")
+    made = PROJECT.load_case(case)
+    with pytest.raises(UsageError, match=words):
+        declare_trial(made, variant, parameters_with_settings(made, variant, [setting]))
+
+
+@pytest.mark.parametrize(
     "given",
     [
         "at-yield:above duration=1e300",

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from tests.support.fabricated import NOWHERE, changed, entry, manifest, record
+from vv.ask import NO_STIFFNESS
 from vv.case import Level
 from vv.output import finding_lines, markdown, progress, result_lines
 from vv.output.results_table import table
@@ -54,6 +55,14 @@ def test_reasons_are_told_each_once_with_how_often_and_the_most_frequent_alone(t
     ]
     result_lines.print_refusals([refused(reason=f"reason {n}") for n in range(6)])
     assert len(lines(told)) == 6
+
+
+def test_settings_without_a_stiffness_are_told_once_beside_the_schemes_that_need_it(
+    told: Told,
+) -> None:
+    lacking = [refused(reason=NO_STIFFNESS), refused("fall", reason=NO_STIFFNESS)]
+    result_lines.print_refusals([fine(label="exact/default"), *lacking])
+    assert [line.rpartition("note: ")[2] for line in lines(told)][1:] == [NO_STIFFNESS]
 
 
 def test_where_something_was_taken_on_only_schemes_without_any_are_named(told: Told) -> None:

@@ -9,7 +9,7 @@ import pytest
 from tests.support.fabricated import STEPS, changed, cost, entry, manifest_of_all, ran, record
 from vv.case import Level
 from vv.gate.judgement import breach_in_words, judgement
-from vv.output import finding_lines
+from vv.output import explain, finding_lines
 from vv.output.results_table import ROWS, rows, table, unsupported
 from vv.output.wording import duration
 from vv.records.finding import Aspect, Bit, Finding
@@ -50,6 +50,17 @@ def test_a_setting_is_told_with_every_knob_also_with_one_that_is_nil() -> None:
         rung = {"dt": 1e-3, "kn": 1e7, "dd": dd}
         (row,) = rows([record("a/a", "T1", 1e-3, rung=rung, quantities=known)], [])
         assert row.setting == said
+
+
+def test_a_search_is_told_with_the_largest_stable_step_that_it_found() -> None:
+    known = [entry("pass", {"max": 4e-4})]
+    rung = {"dt": 0.05, "kn": 1e7}
+    sought = record("a/a", "T1", 0.05, rung=rung, study="search", largest_step=0.125507314,
+                    quantities=known)  # fmt: skip
+    *_, line, legend = table([sought], [])
+    assert "stable to dt=0.125507,kn=1e+07" in line
+    assert legend.strip().startswith("(the largest step that was stable; ~")
+    assert explain._in_words(sought).startswith("stable to dt 0.125507 kn 1e+07: pass")
 
 
 def test_errors_of_rounding_have_no_order_and_larger_ones_have() -> None:

@@ -164,7 +164,7 @@ def test_what_is_required_is_looked_at_though_all_stands(tiny: Tiny) -> None:
     assert tiny.vv(*SELECTION, "--require", "none").returncode == Bit.USAGE
     done = tiny.vv(*SELECTION, "--require", "fake/coarse")
     assert SAYS in done.stderr
-    assert "fake/coarse is required, but none of its jobs ran" in done.stdout
+    assert "fake/coarse: required, but none of its jobs ran" in done.stdout
     assert done.returncode == Bit.INCOMPLETE
 
 

@@ -27,11 +27,12 @@ from vv.ask import (
     SearchVariable,
     Status,
 )
-from vv.case import Interval, Ladder, Level, Search, largest_step, last_stable_step
+from vv.case import Interval, Ladder, Level, Search, Trial, largest_step, last_stable_step
 from vv.codes import Found, no_steps
 from vv.records.checking import checked
 from vv.records.outcomes import Verdict
-from vv.records.record import measured
+from vv.records.record import measured, summarised
+from vv.run import answering
 from vv.run.search import _sum, answers
 from vv.scene import Contact, Harmonic, Pulse, Scene, Vector
 from vv.store.store import Store
@@ -123,6 +124,18 @@ def test_each_step_that_is_tried_is_asked_with_the_other_knobs_as_they_are() -> 
     tried = first.at(4.0)
     assert (tried.knobs, tried.search) == (Knobs(4.0, 1e6, 0.5), None)
     assert tried.goal == History(4 * first.goal.duration, 4 * first.goal.interval)
+
+
+def test_its_record_has_the_step_that_it_found_and_one_that_failed_has_none() -> None:
+    bracket = Bracket(8.0, BOUND, 5)
+    trial = Trial(study(bracket), ())
+    (run,) = found(Limited(3.0), bracket)
+    step = answering._largest_step(trial, run)
+    assert step == pytest.approx(3.0, rel=0.2)
+    assert summarised(run, (), step).largest_step == step
+    assert answering._largest_step(trial, Run(Status.ERROR, "crashed")) is None
+    ladder = Ladder(SCENE, History(1.0, 0.1), (BODY,), dict.fromkeys(Level, (Knobs(1e-3),)))
+    assert answering._largest_step(Trial(ladder, ()), run) is None
 
 
 def test_where_nothing_is_unstable_the_longest_step_is_the_answer() -> None:

@@ -153,7 +153,7 @@ def test_what_no_clump_stands_for_is_refused_with_the_reason() -> None:
     }
     for words, scene in scenes.items():
         assert words in (why_no_clump(asked(scene)) or ""), words
-    assert "Knobs.kn is None" in (why_no_clump(asked(flat, None)) or "")
+    assert "these settings give no kn" in (why_no_clump(asked(flat, None)) or "")
     assert "lets a corner sink by" in (why_no_clump(asked(flat, 1e5)) or "")
     assert Term.ROTATION in flat.terms()
     assert why_no_clump(asked(flat)) is None

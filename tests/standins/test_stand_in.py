@@ -31,7 +31,7 @@ RISEN = Wall(7.0 * Z, Z, WAVE)
         (rigid(FLOOR, ball()), 1e6, None),
         (rigid(FLOOR, cube()), 1e6, None),
         (SOFT, None, None),  # springs of its own
-        (rigid(FLOOR, ball()), None, "Knobs.kn is None"),
+        (rigid(FLOOR, ball()), None, "these settings give no kn"),
         (rigid(FLOOR, cube(spin=X)), 1e6, "spins at a prescribed rate"),
         (rigid(FLOOR, ball(), ball(2.0)), 1e6, "between one body and one wall only"),
         (rigid(FLOOR, Wall(-X, X), ball()), 1e6, "between one body and one wall only"),

@@ -4,7 +4,7 @@ May import: base, scene.
 """
 
 from vv.ask.ask import Ask
-from vv.ask.goals import Bracket, History, Knobs, SearchVariable
+from vv.ask.goals import NO_STIFFNESS, Bracket, History, Knobs, SearchVariable
 from vv.ask.observables import (
     Displacement,
     Impulse,
@@ -17,6 +17,7 @@ from vv.ask.run import Cost, Ledger, Model, Run
 from vv.ask.status import Method, Status
 
 __all__ = [
+    "NO_STIFFNESS",
     "Ask",
     "Bracket",
     "Cost",

@@ -66,6 +66,12 @@ class Knobs:
             raise ValueError(f"dd = {self.dd!r}; a step keeps a fraction between 0 and 1")
 
 
+NO_STIFFNESS = (  # why codes on springs refuse rigid contact
+    "these settings give no kn, which codes on springs need for rigid contact: "
+    "Knobs(dt=..., kn=1e9)"
+)
+
+
 class SearchVariable(enum.Enum):
     """What a search varies: the step [s], or the factor by which shaking is multiplied."""
 

@@ -48,8 +48,8 @@ class Tolerance:
     def __post_init__(self) -> None:
         if not 0 < self.value <= LARGEST_TOLERANCE:
             raise ValueError(
-                f"Tolerance.value = {self.value!r}; it must be positive and at most "
-                f"{LARGEST_TOLERANCE:g}"
+                f"Tolerance.value = {self.value:.6g}; the relative error that it allows must be "
+                f"positive and at most {LARGEST_TOLERANCE:g}"
             )
         for name, unit in (("dt", "s"), ("kn", "N/m")):
             at = getattr(self, name)

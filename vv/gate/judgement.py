@@ -76,8 +76,8 @@ def record_findings(
         found.append(Finding(Aspect.RUN, "nothing ran", "nothing ran", bit=Bit.INCOMPLETE))
     for pattern in patterns:
         if not fnmatch.filter(seen, pattern):
-            text = f"{pattern} is required, but none of its jobs ran"
-            missing = Finding(Aspect.RUN, "missing", text, label=pattern, bit=Bit.INCOMPLETE)
+            text, asked = "required, but none of its jobs ran", pattern.removesuffix("/*")
+            missing = Finding(Aspect.RUN, "missing", text, label=asked, bit=Bit.INCOMPLETE)
             found.append(missing)
     for record in records:
         needed = any(fnmatch.fnmatchcase(record.label, pattern) for pattern in patterns)

@@ -159,7 +159,9 @@ def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[s
 
 def _in_words(record: Record) -> str:
     errors = "; ".join(map(_quantity_in_words, record.quantities))
-    knobs = (("dt", record.rung.dt), ("kn", record.rung.kn), ("dd", record.rung.dd))
+    found = record.largest_step
+    dt = ("stable to dt", found) if found else ("dt", record.rung.dt)
+    knobs = (dt, ("kn", record.rung.kn), ("dd", record.rung.dd))
     at = " ".join(f"{knob} {value:g}" for knob, value in knobs if value is not None)
     came = in_words(outcome(record))
     return f"{at}{': ' if at else ''}{came}: {errors or record.reason}"

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from vv.ask import NO_STIFFNESS
 from vv.case import Level
 from vv.gate.judgement import counted, outcome
 from vv.output import finding_lines
@@ -36,6 +37,8 @@ def print_refusals(records: Sequence[Record]) -> None:
     if any(map(tried, records)):
         if text := unsupported(records):
             note(f"{text}; `vv explain {_case(records)}` says why")
+        if any(NO_STIFFNESS in record.reason for record in records):
+            note(NO_STIFFNESS)
         return
     reasons = Counter(
         f"{record.label}: {in_words(outcome(record))}: {record.reason}" for record in records

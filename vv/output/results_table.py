@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.ask import Knobs, Method
+from vv.ask import Method
 from vv.gate.judgement import outcome
 from vv.output.wording import duration, in_words
 from vv.records.finding import Finding
@@ -26,6 +26,7 @@ COUNTED = (
     "shown only",
     "pass",
 )  # verdicts that are counted separately
+STABLE = "stable to"  # before the step that a search found
 RANKS = (Outcome.XFAIL, Outcome.BLOW_UP, Outcome.PASS, Outcome.NO_REFERENCE)
 Place = tuple[str, str, str]  # case, variant, scheme
 
@@ -73,7 +74,7 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
     fitted = row_of(finest.rung.kn, [r for r in done if r.rung.kn == finest.rung.kn]).order
     return Row(
         place,
-        _setting(finest.rung),
+        _setting(finest),
         worst.error if worst else None,
         worst.tolerance if worst else None,
         fitted.order if fitted else None,
@@ -85,9 +86,11 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
     )
 
 
-def _setting(knobs: Knobs) -> str:
-    """The knobs in short form, dt=5e-05,kn=1e+09."""
-    named = (("dt", knobs.dt), ("kn", knobs.kn), ("dd", knobs.dd))
+def _setting(record: Record) -> str:
+    """The knobs in short form, dt=5e-05,kn=1e+09; of a search with the step that it found."""
+    knobs, found = record.rung, record.largest_step
+    dt = (f"{STABLE} dt", found) if found else ("dt", knobs.dt)
+    named = (dt, ("kn", knobs.kn), ("dd", knobs.dd))
     return ",".join(f"{name}={value:g}" for name, value in named if value is not None)
 
 
@@ -139,7 +142,8 @@ def _of_variant(title: str, here: Sequence[Row]) -> Iterator[str]:
 
 
 def _legend(here: Sequence[Row], claims: bool) -> str:
-    parts = ["finest setting"]
+    sought = any(row.setting.startswith(STABLE) for row in here)
+    parts = ["the largest step that was stable" if sought else "finest setting"]
     parts += ["order in dt: observed of claimed"] if claims else []
     beside = any(not row.timed and row.cpu for row in here)
     parts += ["~: timed while other jobs ran"] if beside else []

@@ -54,7 +54,10 @@ class ModelSummary:
 
 @dataclass(frozen=True, slots=True)
 class RunSummary:
-    """The summary of a run in a record: status and reason, cost, model, energy [J], quantities."""
+    """The summary of a run in a record: status and reason, cost, model, energy [J], quantities.
+
+    largest_step: the largest step [s] of a search below all unstable ones; None of other studies.
+    """
 
     status: Status
     reason: str
@@ -63,12 +66,14 @@ class RunSummary:
     model: ModelSummary | None
     ledger: Ledger | None
     quantities: tuple[MeasuredQuantity, ...]
+    largest_step: float | None = optional(None)
 
 
 @dataclass(frozen=True, slots=True)
 class Record:
     """A job and its result. modified: parameters were changed; key: of its series in the store.
 
+    largest_step: see RunSummary.
     known_breaches: the laws that its ledger breaks, but is known to break.
     """
 
@@ -90,6 +95,7 @@ class Record:
     model: ModelSummary | None
     ledger: Ledger | None
     quantities: tuple[MeasuredQuantity, ...]
+    largest_step: float | None = optional(None)
     known_breaches: tuple[str, ...] = optional(())
 
     @property

@@ -223,11 +223,15 @@ def _finite(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def summarised(run: Run, quantities: tuple[MeasuredQuantity, ...]) -> RunSummary:
-    """The summary of a run with these quantities."""
+def summarised(
+    run: Run, quantities: tuple[MeasuredQuantity, ...], largest_step: float | None = None
+) -> RunSummary:
+    """The summary of a run with these quantities. largest_step: see RunSummary."""
     cost = JobCost(**dataclasses.asdict(run.cost))
     model = None if run.model is None else _model(run.model)
-    return RunSummary(run.status, run.reason, cost, run.steps, model, run.ledger, quantities)
+    return RunSummary(
+        run.status, run.reason, cost, run.steps, model, run.ledger, quantities, largest_step
+    )
 
 
 def _model(model: Model) -> ModelSummary:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from vv.ask import Run, Status
 from vv.base.notices import notice
-from vv.case import Grid
+from vv.case import Grid, Search, Trial, last_stable_step
 from vv.plan import keys
 from vv.plan.plan import Job, Plan
 from vv.plan.project import Project
@@ -119,11 +119,18 @@ def _measured(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
     except Exception as error:
         run, quantities = failed(error), []
     run = within(run, trial.unexplained, job.method, job.ask.knobs)
-    summary = summarised(run, tuple(quantities))
+    summary = summarised(run, tuple(quantities), _largest_step(trial, run))
     says = (Status.RAN, Status.DIVERGED) if isinstance(trial.study, Grid) else (Status.RAN,)
     if run.status in says:
         store.keep_summary(key, summary, arrays)
     return _record(plan, job, key, summary)
+
+
+def _largest_step(trial: Trial, run: Run) -> float | None:
+    """The step that a search found; None of a run that failed, and of other studies."""
+    if not isinstance(trial.study, Search) or run.status is not Status.RAN:
+        return None
+    return last_stable_step(run, trial.study.bracket)
 
 
 def _annotated(model: ModelSummary | None, inert: str) -> ModelSummary | None:
@@ -154,4 +161,5 @@ def _record(plan: Plan, job: Job, key: str, run: RunSummary) -> Record:
         model=_annotated(run.model, job.inert),
         ledger=run.ledger,
         quantities=run.quantities,
+        largest_step=run.largest_step,
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.ask import Ask
+from vv.ask import NO_STIFFNESS, Ask
 from vv.scene import Block, Scene, Term, Vector, Wall
 from vv.standins.penalty_springs import (
     TOUCHING,
@@ -100,7 +100,7 @@ def why_no_spring_scene(ask: Ask) -> str | None:
     if reason is not None or Term.RIGID_CONTACT not in ask.scene.terms():
         return reason
     if ask.knobs.kn is None:
-        return "Knobs.kn is None; rigid contact needs a stiffness to stand in for it"
+        return NO_STIFFNESS
     if not ask.scene.blocks:
         return _bounces(ask.scene, apart=False)
     return _bounces(as_spheres(ask.scene), apart=True)

@@ -27,7 +27,7 @@ REFUSED = {
     "is not 2/5 m r2": ball_ask(ball(free_spin=FREE, inertia=[1.0])),
     "raise the inertia": ball_ask(ball(free_spin=FREE), eta=1.0),
     "lies behind wall 0": ball_ask(UP, ball(position=[[0, -0.01, 0]]), body=1),
-    "Knobs.kn is None": block_ask(incline(Frame(20.0), 30.0), None),
+    "these settings give no kn": block_ask(incline(Frame(20.0), 30.0), None),
     "has 29 groups": ball_ask(
         *(ball(position=[[i, 0, 0]], mass=[1.0 + i]) for i in range(32)),
         shaking=Harmonic(UNIT, UNIT),

@@ -142,7 +142,7 @@ def test_a_body_acceleration_is_told_in_the_frame() -> None:
 
 def test_blocks_that_no_sphere_stands_for_are_refused_with_the_reason() -> None:
     scene = responding(0.2, 2.0, 0.6, turn=0.3)
-    assert "Knobs.kn is None" in (ADAPTER.refuses(block_ask(scene, None), PLAIN) or "")
+    assert "these settings give no kn" in (ADAPTER.refuses(block_ask(scene, None), PLAIN) or "")
     turning = dataclasses.replace(scene.blocks[0], free_spin=np.ones(3, bool))
     loose = dataclasses.replace(scene, bodies=(*scene.walls, turning))
     assert "may turn" in (ADAPTER.refuses(block_ask(loose), PLAIN) or "")

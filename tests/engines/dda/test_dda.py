@@ -139,7 +139,7 @@ def test_every_run_says_how_its_steps_went_and_what_stood_for_rigid_contact() ->
     ("ask", "reason"),
     [
         (Ask(slope(28, 5), History(1, 0.1), (), Knobs(kn=1e8)), "needs a step"),
-        (Ask(slope(28, 5), History(1, 0.1), (), Knobs(dt=1e-3)), "needs a stiffness"),
+        (Ask(slope(28, 5), History(1, 0.1), (), Knobs(dt=1e-3)), "these settings give no kn"),
         (asked(slope(28, 5, free=np.array([1, 0, 0], bool)), 1e-3, 1e8, 1.0), "'box' is locked"),
         (asked(slope(28, 5), 2.0, 1e8, 1.0), "leaves no step"),
     ],

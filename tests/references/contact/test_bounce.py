@@ -187,7 +187,7 @@ def test_what_catches_wrong_signs_lets_an_unchanged_copy_of_the_pair_pass(
         ({"rho": 0.0}, r"rho = 0.0 .*positive"),
         ({"kn": -1.0}, r"kn = -1.0 .*positive"),
         ({"gap": 0.0}, r"gap = 0.0 .*positive"),
-        ({"mu": 0.0}, r"mu = 0.0 .*positive"),
+        ({"mu": 0.0}, r"mu = 0.0\b.*positive"),
         ({"v_t": np.inf}, r"v_t = inf .*finite"),
     ],
 )

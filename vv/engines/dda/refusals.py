@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.ask import Ask
+from vv.ask import NO_STIFFNESS, Ask
 from vv.engines.blocks.checks import moves_where_locked, overlaps, undetermined
 from vv.engines.dda.formulation import DEFAULT, Formulation
 from vv.scene import Scene
@@ -25,7 +25,7 @@ def refuses(ask: Ask, formulation: Formulation = DEFAULT) -> str | None:
     if len(scene.spheres):
         return "the scene holds spheres; DDA knows blocks and walls"
     if rigid and ask.knobs.kn is None:
-        return "Knobs.kn is None; a penalty scheme needs a stiffness for rigid contact"
+        return NO_STIFFNESS
     checks = (moves_where_locked, undetermined, _locked_strains)
     found = next((reason for check in checks if (reason := check(scene))), None)
     found = found or (overlaps(scene) if rigid else None)

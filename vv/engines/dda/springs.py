@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vv.ask import NO_STIFFNESS
 from vv.engines.dda.formulation import Formulation
 from vv.scene import Scene
 
@@ -21,7 +22,7 @@ def springs(scene: Scene, kn: float | None, formulation: Formulation) -> Springs
     """The springs of the scene or, if its contact is rigid, those of the knob kn [N/m]."""
     law = scene.contact
     if law.rigid and kn is None:
-        raise ValueError("Knobs.kn is None; a penalty scheme needs a stiffness for rigid contact")
+        raise ValueError(NO_STIFFNESS)
     normal = float(kn) if law.rigid and kn is not None else law.kn
     shear = formulation.shear * normal if law.rigid else law.ks
     rough = law.mu > 0 and shear > 0
