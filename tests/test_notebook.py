@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.conftest import Tiny
+from vv import notebook
+from vv.ask import Knobs
+from vv.base.errors import UsageError
+from vv.notebook import verify
 
 CALLS = """
 from pathlib import Path
@@ -52,9 +58,41 @@ def test_a_file_edited_since_it_was_loaded_is_named_and_nothing_is_judged_by_the
     file: str, old: str, new: str, tiny: Tiny
 ) -> None:
     first, edited, undone = said(tiny, file, old, new)
-    assert first == undone == "pass no-reference"
+    assert first == undone == "pass shown only"
     assert edited.startswith("files have changed since they were loaded: restart Python (")
     assert edited.endswith(f"{file})")
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["dt=1e-3,kn=1e9", {"dt": 1e-3, "kn": 1e9}, Knobs(1e-3, 1e9), [{"dt": "0.001", "kn": 1e9}]],
+)
+def test_a_setting_is_a_text_a_mapping_or_knobs_alone_or_among_others(given: Any) -> None:
+    assert notebook._rungs(given) == (Knobs(1e-3, 1e9),)
+    assert notebook._rungs([1e-3, np.float64(5e-4)]) == (Knobs(1e-3), Knobs(5e-4))
+    assert notebook._rungs(1e-3) == (Knobs(1e-3),)
+
+
+def test_changed_parameters_are_texts_or_a_mapping() -> None:
+    assert notebook._settings({"kn": 1e9, "m": "2 g"}) == ("kn=1000000000.0", "m=2 g")
+    assert notebook._settings("kn=1e9") == notebook._settings(["kn=1e9"]) == ("kn=1e9",)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"level": "x"}, "level = 'x'; it must be one of quick, default, paper"),
+        ({"rungs": [None]}, "rung = None; expected dt=..[,kn=..], a mapping"),
+        ({"rungs": [-1e-3]}, "dt = '-0.001'|dt = -0.001 s; a knob must be positive"),
+        ({"rungs": {"dx": 1.0}}, "expected dt=SECONDS"),
+        ({"settings": [1e9]}, "settings = [1000000000.0]; expected texts NAME=VALUE[UNIT]"),
+        ({"settings": 1e9}, "settings = 1000000000.0; expected texts"),
+    ],
+)
+def test_what_cannot_be_read_is_a_usage_error(given: dict[str, Any], said: str) -> None:
+    with pytest.raises(UsageError) as refused:
+        verify("single-contact:T1", codes="exact", **given)
+    assert any(part in str(refused.value) for part in said.split("|"))
 
 
 def test_what_a_failed_call_has_loaded_counts_too(tiny: Tiny) -> None:

@@ -7,10 +7,11 @@ command line.
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from vv.ask import Knobs
 from vv.base import closure
 from vv.base.closure import OUR_PACKAGES
 from vv.base.errors import UsageError
@@ -18,37 +19,79 @@ from vv.case import Level
 from vv.cli import invocation, options
 from vv.output.table import table
 from vv.plan.project import find
+from vv.plan.settings import parse_knobs
 
 if TYPE_CHECKING:
     import pandas as pd
+
+Rung = str | float | Knobs | Mapping[str, float]
 
 
 def verify(
     *selection: str,
     codes: str = "*",
     level: str = "default",
-    settings: Sequence[str] = (),
-    rungs: Sequence[str] = (),
+    settings: str | Iterable[str] | Mapping[str, float | str] = (),
+    rungs: Rung | Iterable[Rung] = (),
 ) -> pd.DataFrame:
     """Run cases in codes as `vv run` does, and return the results as `vv.results` does.
 
     selection: FAMILY, CASE or CASE:VARIANT, with globs. codes: CODE[/SCHEME],... level: quick,
-    default or paper. settings: texts NAME=VALUE[UNIT]. rungs: texts dt=..[,kn=..]. Stored results
-    are not computed again; no report is written. Raises UsageError for what does not exist and
-    where a file that this process has loaded was edited since, ValueError for another level.
+    default or paper. settings: texts NAME=VALUE[UNIT], or a mapping from names to values. rungs:
+    texts dt=..[,kn=..], mappings, steps dt [s], or Knobs. Stored results are not computed again;
+    no report is written. Raises UsageError for what does not exist or cannot be read, and where a
+    file that this process has loaded was edited since.
     """
     from vv.plan.plan import Options
     from vv.run.limits import Limits
 
     _require_unchanged()
     project, named = options.with_programs(find(), codes)
-    chosen = Options(Level(level), named, tuple(settings), options.knobs(list(rungs)))
+    chosen = Options(_level(level), named, _settings(settings), _rungs(rungs))
     limits = Limits(options.workers(0), options.TIMEOUT)
     try:
         plan = options.plan_of(project, list(selection), chosen)
         return table(invocation.carry_out_with_progress(project, plan, limits).records)
     finally:
         _note_loaded()
+
+
+def _level(name: str) -> Level:
+    known = [level.value for level in Level]
+    if name not in known:
+        raise UsageError(f"level = {name!r}; it must be one of {', '.join(known)}")
+    return Level(name)
+
+
+def _settings(given: str | Iterable[str] | Mapping[str, float | str]) -> tuple[str, ...]:
+    """The texts NAME=VALUE[UNIT] of changed parameters; raises UsageError for other things."""
+    if isinstance(given, str):
+        return (given,)
+    if isinstance(given, Mapping):
+        return tuple(f"{name}={value}" for name, value in given.items())
+    texts = tuple(given) if isinstance(given, Iterable) else (given,)
+    if not all(isinstance(text, str) for text in texts):
+        raise UsageError(
+            f"settings = {given!r}; expected texts NAME=VALUE[UNIT], or a mapping NAME: VALUE"
+        )
+    return texts
+
+
+def _rungs(given: object) -> tuple[Knobs, ...]:
+    if isinstance(given, Iterable) and not isinstance(given, (str, Mapping)):
+        return tuple(map(_rung, given))
+    return (_rung(given),)
+
+
+def _rung(given: object) -> Knobs:
+    """A setting in one of the forms of Rung; raises UsageError for other things."""
+    if isinstance(given, Knobs):
+        return given
+    if isinstance(given, Mapping):
+        return parse_knobs(",".join(f"{name}={value}" for name, value in given.items()))
+    if isinstance(given, (str, float, int)):
+        return parse_knobs(given if isinstance(given, str) else f"dt={given}")
+    raise UsageError(f"rung = {given!r}; expected dt=..[,kn=..], a mapping, a step in s, or Knobs")
 
 
 def _require_unchanged() -> None:

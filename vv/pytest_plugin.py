@@ -10,7 +10,18 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("vv", "verification of contact mechanics codes")
     group.addoption("--vv", action="append", default=[], metavar="CASE", help="a case; repeatable")
     group.addoption("--vv-code", default="*", metavar="CODES", help="as --codes of `vv run`")
-    group.addoption("--vv-level", default="quick", metavar="LEVEL", help="as --level of `vv run`")
+    group.addoption(
+        "--vv-level",
+        default="quick",
+        metavar="LEVEL",
+        help="as --level of `vv run`, but quick if not given",
+    )
+    group.addoption(
+        "--vv-set", action="append", default=[], metavar="NAME=VALUE", help="as --set of `vv run`"
+    )
+    group.addoption(
+        "--vv-rung", action="append", default=[], metavar="dt=..", help="as --rung of `vv run`"
+    )
     group.addoption("--vv-timeout", default=300.0, type=float, help="seconds that one job may take")
 
 

@@ -189,10 +189,20 @@ def test_a_check_says_what_is_right_and_what_is_wrong(tiny: Tiny, mine: Path) ->
     (tiny.root / "mine.sh").write_text("echo 'dt is odd' >&2; exit 1")
     done = tiny.vv("check", "mine.toml")
     assert done.returncode == 8
-    assert "  lock: error: exit code 1; last output: dt is odd" in done.stdout
+    assert "  free flight: error: exit code 1; last output: dt is odd" in done.stdout
+    assert done.stdout.splitlines()[-1] == "  lock: failed in the same way"
     folder = Path(done.stderr.removeprefix("questions and answers of what failed: ").strip())
     assert len(list(folder.rglob("ask.json"))) == 6
     shutil.rmtree(folder)
+
+
+def test_a_check_is_incomplete_where_a_declared_term_is_refused(tiny: Tiny, mine: Path) -> None:
+    (tiny.root / "mine.sh").write_text("echo 'it has no locks' >&2; exit 3")
+    done = tiny.vv("check", "mine.toml")
+    assert done.returncode == 32
+    *_, said, advice = done.stdout.splitlines()
+    assert said == "  lock: refused: it has no locks"
+    assert advice.startswith("    remove from its terms what it refuses; this scene has ")
 
 
 def test_a_program_that_hangs_is_asked_once(tiny: Tiny, mine: Path) -> None:

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.cli.test_programs import declare
 from tests.conftest import Tiny, _without_vv
 
 CODES = "fake/good,fake/coarse,fake/refuses,fake/raises"
@@ -39,6 +40,21 @@ def test_each_setting_is_a_test_and_the_report_is_linked(tiny: Tiny) -> None:
     assert "2 failed, 2 passed, 1 skipped" in done.stdout
     assert f"vv report: {tiny.root}/.vv/report/index.html" in done.stdout
     assert Path(tiny.root, ".vv", "report", "index.html").is_file()
+
+
+def test_a_failure_ends_in_the_command_that_runs_it_again(tiny: Tiny) -> None:
+    done = run(tiny, "--vv", "fall:up", "--vv-code", "fake/coarse", "--vv-rung", "dt=0.2")
+    assert "vv::fall:up fake/coarse dt=0.2 FAILED" in done.stdout
+    assert "again: vv run fall:up --codes fake/coarse --rung dt=0.2" in done.stdout
+    done = run(tiny, "--vv", "fall:up", "--vv-code", "fake/coarse", "--vv-set", "g=5")
+    assert "--set g=5.0" in done.stdout
+
+
+def test_a_named_program_that_refuses_all_fails(tiny: Tiny) -> None:
+    declare(tiny.root, "mine", "echo 'not today' >&2; exit 3")
+    done = run(tiny, "--vv", "fall:up", "--vv-code", "mine.toml")
+    assert done.returncode == 1, done.stdout
+    assert "mine: required, but none of its jobs ran; refused: not today" in done.stdout
 
 
 def test_without_the_option_there_is_nothing_of_it(tiny: Tiny) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,6 +15,7 @@ from vv.base.errors import UsageError
 from vv.cli import options
 from vv.output.terminal import note, say
 from vv.plan.project import find
+from vv.scene import Term
 
 if TYPE_CHECKING:
     from vv.codes.adapter import Adapter, Scheme
@@ -56,21 +58,37 @@ def _check_scheme(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Pat
     from vv.codes.tiny_scenes import tiny_scenes, unasked
 
     say(f"{adapter.name}/{scheme.name} claims to be {scheme.method.value}")
-    status, known = 0, tiny_scenes(scheme)
+    status, known, before = 0, tiny_scenes(scheme), ""
     for number, tiny in enumerate(known, 1):
         runs = _answers(adapter, scheme, tiny, timeout, scratch)
         found = judged(scheme, tiny, runs)
-        say(f"  {tiny.name}: {found.words}")
+        same = found.answered is Answered.FAILED and found.words == before
+        say(f"  {tiny.name}: {'failed in the same way' if same else found.words}")
+        before = found.words
         status |= {Answered.WRONG: WRONG, Answered.FAILED: CRASHED}.get(found.answered, 0)
+        if found.answered is Answered.REFUSED and not _refused_unasked(adapter, scheme, tiny):
+            terms = _names(tiny.scene.terms())
+            say(f"    remove from its terms what it refuses; this scene has {terms}")
+            status |= INCOMPLETE
         if runs[-1].status is Status.TIMEOUT and number < len(known):
             say(f"  {len(known) - number} not tested, since it gave no answer in {timeout:g} s")
             break
-    missing = sorted(term.name.lower().replace("_", "-") for term in unasked(scheme))
+    missing = _names(unasked(scheme))
     if not known:
         say("  nothing to ask: it declares neither spheres nor blocks, or reports no motion")
     elif missing:
-        say(f"  declared but not tested, since no tiny scene shows it: {', '.join(missing)}")
+        say(f"  declared but not tested, since no tiny scene shows it: {missing}")
     return status
+
+
+def _names(terms: Iterable[Term]) -> str:
+    """Terms as the file of a program names them."""
+    return ", ".join(sorted(term.name.lower().replace("_", "-") for term in terms))
+
+
+def _refused_unasked(adapter: Adapter, scheme: Scheme, tiny: TinyScene) -> bool:
+    """Whether a scheme says without a run that it refuses a tiny scene."""
+    return adapter.refuses(tiny.asks(scheme)[0], scheme.name) is not None
 
 
 def _answers(

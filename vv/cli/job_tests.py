@@ -60,6 +60,23 @@ class Invocation:
             self.config.stash.setdefault(REPORTS, []).append(report)
         return self.manifest
 
+    def lost(self) -> set[str]:
+        """The codes named by a file none of whose jobs ran."""
+        from vv.records.reading import tried
+
+        took = {record.code for record in filter(tried, self.answered().records)}
+        return {*options.named_files(self.project)} - took
+
+    def again(self, finding: Finding, record: Record) -> str:
+        """The line with the command that runs a failed job again; empty if there is none."""
+        from vv.output.finding_lines import rerun
+        from vv.records.reading import rung
+
+        at = {(record.case, record.variant, record.label, rung(record)): record}
+        level = Level(self.config.getoption("--vv-level"))
+        command = rerun(finding, at, level, options.named_files(self.project))
+        return f"again: {command}" if command else ""
+
 
 class JobTest(pytest.Item):
     """A test of a job: it passes, fails with the findings of the gate, or is skipped."""
@@ -75,10 +92,15 @@ class JobTest(pytest.Item):
         manifest = self.invocation.answered()
         record = manifest.records[self.number]
         if not tried(record):
-            pytest.skip(f"{record.status.value}: {record.reason}")
-        red = [finding.text for finding in _findings(manifest, record) if finding.red]
+            said = f"{record.status.value}: {record.reason}"
+            if record.code in self.invocation.lost():
+                said = f"{record.code}: required, but none of its jobs ran; {said}"
+                pytest.fail(said, pytrace=False)
+            pytest.skip(said)
+        red = [finding for finding in _findings(manifest, record) if finding.red]
         if red:
-            pytest.fail("\n".join(red), pytrace=False)
+            lines = [*(finding.text for finding in red), self.invocation.again(red[0], record)]
+            pytest.fail("\n".join(filter(None, lines)), pytrace=False)
 
     def reportinfo(self) -> tuple[Path, None, str]:
         """The case's file, and the title under which pytest shows a failure.
@@ -112,10 +134,11 @@ def _invocation(config: pytest.Config, selection: list[str], codes: str) -> Invo
     from vv.plan.plan import Options
     from vv.run.limits import Limits
 
+    option = config.getoption
     project, named = options.with_programs(find(), codes)
-    plan = options.plan_of(
-        project, selection, Options(Level(config.getoption("--vv-level")), named)
-    )
+    level, rungs = Level(option("--vv-level")), options.knobs(option("--vv-rung"))
+    chosen = Options(level, named, tuple(option("--vv-set")), rungs)
+    plan = options.plan_of(project, selection, chosen)
     limits = Limits(options.workers(0), options.positive(config.getoption("--vv-timeout")))
     return Invocation(config, project, plan, limits)
 
