@@ -149,6 +149,8 @@ def test_a_result_is_told_with_its_error_and_bound_or_with_why_it_has_none(
 ) -> None:
     errors = changes.pop("errors", {"max": 2e-3})
     assert explain._quantity_in_words(entry("fail", errors, **changes)) == said
+    if "value" in changes:  # numbers beside those of others have no errors
+        assert explain._quantity_in_words(entry("fail", {}, **changes)) == said
 
 
 def test_a_result_is_told_at_its_step_and_stiffness_and_one_without_numbers_with_its_reason() -> (

@@ -138,6 +138,9 @@ def test_annotations_are_escaped_placed_and_limited() -> None:
     assert lines[0] == "::error file=cases/bounce.py,title=run error%3A bounce::100%25%0Aof 29"
     assert lines[-1].startswith("::warning file=cases/bounce.py,title=accuracy expiring%3A bounce")
     assert "T1%2CT2::soon" in lines[-1]
+    shown = Finding(Aspect.SPEED, "slower", "slow", "bounce", bit=Bit.SPEED, enforced=False)
+    (line,) = workflow_commands([shown], {})
+    assert line.startswith("::warning title=")
 
 
 def test_the_gate_writes_its_files_and_annotates_on_github_only(tiny: Tiny) -> None:

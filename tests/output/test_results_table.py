@@ -274,7 +274,7 @@ def test_schemes_are_told_by_code_and_outcome_one_by_name_and_more_by_number() -
     def none(label: str, status: str) -> Record:
         return record(label, "T1", 1e-3, status=status, reason="no")
 
-    refused = [none(label, "refused") for label in ("a/x", "b/y", "b/z", "c/w")]
+    refused = [none(label, "refused") for label in ("a/x", "b/y", "b/z", "b/v", "c/w")]
     ran_too = record("c/w", "T2", 1e-3, quantities=[entry("pass", {"max": 0.0})])
     said = unsupported([*refused, ran_too, none("d/v", "not-installed"), none("b/u", "too-long")])
-    assert said == "not supported: a/x, b (2 schemes); not installed: d/v; too long: b/u"
+    assert said == "not supported: a/x, b (3 schemes); not installed: d/v; too long: b/u"

@@ -127,6 +127,9 @@ def test_of_many_past_runs_the_newest_are_read_newest_first(tmp_path: Path) -> N
     past.file("20250104").write_text("{")
     assert newest(2) == ["20250103"]  # the damaged one is told of, and counts
     assert ["20250104" in text for text in told] == [True]
+    latest = past.latest()
+    assert latest is not None
+    assert latest.name == "20250103"
 
 
 @pytest.mark.parametrize(("ahead", "known"), [(0.9, True), (1.1, False)])

@@ -44,4 +44,7 @@ BUGS = (
     Bug("the last written is recorded as the finest", "vv/gate/recorded.py", "for r in sorted(pile, key=by_fineness)}", "for r in pile}", tests="tests/gate/test_recorded_decisions.py"),
     Bug("times and values recorded in each other's place", "vv/gate/recorded.py", 'tuple(map(_few, arrays["t"][chosen])), tuple(map(_few, y[chosen]))', 'tuple(map(_few, y[chosen])), tuple(map(_few, arrays["t"][chosen]))', tests="tests/gate/test_recorded_decisions.py"),
     Bug("a recorded cost is that of what did not run", "vv/gate/recorded.py", "cpu=result.cpu", "cpu=record.cost.solve_cpu", tests="tests/gate/test_recorded_decisions.py"),
+    Bug('a run is kept without its ledger', 'vv/store/run_arrays.py', 'ledger=run.ledger', 'ledger=None', tests='tests/store/test_parts.py'),
+    Bug('all energies of a kept run are its times', 'vv/store/run_arrays.py', 'energies={form: arrays[name] for form', 'energies={form: arrays["t"] for form', tests='tests/store/test_parts.py'),
+    Bug('all machines of one kind are one', 'vv/store/provenance.py', 'platform.node())[:12]', '"")[:12]', tests='tests/store/test_provenance.py'),
 )  # fmt: skip

@@ -40,4 +40,11 @@ BUGS = (
     Bug("other versions of libraries affect nothing", NARROWING, 'EVERYTHING = ("pyproject.toml", "requirements.lock")', 'EVERYTHING = ("pyproject.toml",)', tests="tests/run/test_narrowing.py"),
     Bug("the longest jobs shared out last", "vv/run/pace.py", "key=lambda place: -seconds[place]", "key=lambda place: seconds[place]", tests="tests/run/test_batching.py"),
     Bug("of several patterns for a case the last counts", "vv/plan/selection.py", "wanted.setdefault(name, set()).update(variants)", "wanted[name] = set(variants)", tests="tests/plan/test_selection.py"),
+    Bug('a search at a setting with kinetic damping runs without', 'vv/ask/ask.py', 'knobs = replace(self.knobs, dt=dt)', 'knobs = Knobs(dt, self.knobs.kn)', tests='tests/run/test_search.py'),
+    Bug('the cost of whole processes told as that of steps in a search', 'vv/run/search.py', 'whole=any(cost.whole for cost in costs)', 'whole=False', tests='tests/run/test_search.py'),
+    Bug('a budget takes what is farthest from its bound first', 'vv/run/narrowing.py', '-_closeness_to_tolerance', '_closeness_to_tolerance', tests='tests/run/test_budget.py'),
+    Bug('the gate takes no notice of --fresh', 'vv/cli/gate_command.py', 'call.fresh, timing, call.against', 'False, timing, call.against', tests='tests/cli/decisions/test_gate_and_run.py'),
+    Bug('an answer stands though a new timing was asked for', 'vv/cli/invocation.py', 'not (limits.fresh or limits.timing is Timing.NEW)', 'not limits.fresh', tests='tests/cli/decisions/test_gate_and_run.py'),
+    Bug('variants without timed settings are timed at any stiffness', 'vv/cli/speed_command.py', 'knobs.kn in (None, rung.kn) for', 'True for', tests='tests/cli/decisions/test_speed_and_export.py'),
+    Bug('jobs that failed count as gaps of a session', 'vv/run/timing_phase.py', 'job.timed and ran(records[n])', 'job.timed', tests='tests/run/test_timing_decisions.py'),
 )  # fmt: skip
