@@ -3,27 +3,24 @@
 from __future__ import annotations
 
 import functools
-import math
-from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from cases._papers import LI_2018
+from cases.hard.parts import _settling_bounds
+from cases.hard.parts._settling_bounds import INTERVAL
 from reference_solutions.contact import settling
-from vv.ask import Displacement, History, Knobs, Method
+from vv.ask import Displacement, History, Knobs
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     ComponentAlong,
     Count,
-    Exact,
     Ladder,
     Level,
     Parameter,
     Parameters,
     Series,
     Source,
-    Tolerance,
     Trial,
     Variant,
 )
@@ -31,7 +28,7 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
 RADIUS = 0.1  # m; does not enter the answer
 SPHERE = Displacement(1)
-GOAL = History(0.8, 1e-4)  # twice the time to the last bounce; six outputs in the shortest flight
+DURATION = 0.8  # s, the least
 Z = np.array([0.0, 0.0, 1.0])
 HEIGHT = ComponentAlong(SPHERE, Z)
 LAW = ("m", "kn", "eta", "g", "height")
@@ -51,6 +48,8 @@ def _scene(p: Parameters) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     law, own = {name: p[name] for name in LAW}, p == CASE.defaults(variant)
+    stages = settling.stages(**law)
+    goal = History(max(DURATION, 2.0 * stages[-1].begin), INTERVAL)  # until it bounces no longer
     moved = Series(
         name="z",
         symbol="z",
@@ -58,52 +57,17 @@ def _declare(variant: str, p: Parameters) -> Trial:
         meaning="displacement upwards",
         observe=HEIGHT,
         reference=functools.partial(settling.settling, **law),
-        judge=Exact(PATH if own else _elsewhere(p, law)),
+        judge=_settling_bounds.path(p, stages, own),
     )
     bounces = Count(
         name="bounces",
         symbol="n",
         meaning="number of times the sphere leaves the floor",
         observe=lambda run: _count_departures(HEIGHT(run) + p["height"]),
-        reference=lambda: _bounces(settling.stages(**law)),
-        judge=COUNTED if own else COUNTED_ELSEWHERE,
+        reference=lambda: _settling_bounds.bounces(stages),
+        judge=_settling_bounds.count(p, law, stages, own),
     )
-    return Trial(Ladder(_scene(p), GOAL, (SPHERE,), LEVELS), (moved, bounces))
-
-
-def _bounces(stages: Sequence[settling.Stage]) -> int:
-    return sum(stage.flies for stage in stages) - 1
-
-
-def _elsewhere(p: Parameters, law: Mapping[str, float]) -> dict[Method, Tolerance]:
-    """The bounds at parameters other than the case's own."""
-    stages, step = settling.stages(**law), 1e-4
-    swing = p["kn"] / p["m"] * step**2
-    value = min(max(3.0 * _spread(p, stages), 0.4) * swing, LARGEST_TOLERANCE)
-    ends = (
-        "a contact changes the speed by (k dt)^2/2 (b (1 - b) - a (1 - a)) of it, a and b the "
-        "parts of a step after which it begins and ends, at random; each changes all flights that "
-        "follow. Three standard deviations are allowed"
-    )
-    slows = p["eta"] / p["m"] / 20.0 * max(1.0, _bounces(stages) / 30.0)
-    starts = math.sqrt(p["g"] / p["height"] / (9.81 / 2e-3))
-    return PATH | {
-        Method.SECOND_ORDER: Tolerance(value, ends, dt=step, order=2),
-        Method.FIRST_ORDER: Tolerance(
-            value, f"{PATH[Method.FIRST_ORDER].reason}; {ends}",
-            dt=step, order=2, late=100.0 * max(1.0, slows, starts),
-        ),
-    }  # fmt: skip
-
-
-def _spread(p: Parameters, stages: Sequence[settling.Stage]) -> float:
-    """The standard deviation of the largest error over the height, for (k dt)^2 = 1."""
-    flights = [(one.begin, abs(one.v)) for one in stages[1:] if one.flies]
-    lags = [
-        speed * math.sqrt(sum((begin - earlier) ** 2 for earlier, _ in flights[:i]))
-        for i, (begin, speed) in enumerate(flights)
-    ]
-    return max(lags, default=0.0) / p["height"] / 2 / math.sqrt(90.0)
+    return Trial(Ladder(_scene(p), goal, (SPHERE,), LEVELS), (moved, bounces))
 
 
 def _count_departures(z: Vector) -> int:
@@ -113,41 +77,6 @@ def _count_departures(z: Vector) -> int:
 RUNGS = tuple(Knobs(dt=dt) for dt in (1e-4, 5e-5, 2.5e-5, 1.25e-5))
 COARSE = RUNGS[:3:2]
 LEVELS = {Level.QUICK: COARSE, Level.DEFAULT: (*COARSE, RUNGS[3]), Level.PAPER: RUNGS}
-PATH = {
-    Method.EXACT: Tolerance(
-        5e-13, "rounding errors of sixty events, each of which shifts the next"
-    ),
-    Method.SECOND_ORDER: Tolerance(
-        4e-3,
-        "a contact lasts 30 steps of 1e-4 s: an error of (k dt)^2/24 = 4e-4 for its oscillation, "
-        "and as much at random for each of its ends. An error of the speed after a contact changes "
-        "each flight that follows, so that errors grow with the square of the number of bounces",
-        dt=1e-4,
-        order=2,
-    ),
-    Method.FIRST_ORDER: Tolerance(
-        1e-2,
-        "drag that is half a step late changes its coefficient by n dt = 0.1 % at 1e-4 s, which "
-        "adds up over thirty bounces; gravity that is half a step late changes the first speed by "
-        "g dt/2v = 0.25 %",
-        dt=1e-4,
-        order=1,
-    ),
-}
-WHOLE = Tolerance(
-    1e-6,
-    "a number of bounces is right or wrong; the last that leaves the floor rises above it by 2 % "
-    "of its depth, and the next one stays as much below it",
-    slack="a number that is right has no error",
-)
-COUNTED = Exact(dict.fromkeys(PATH, WHOLE))
-COUNTED_ELSEWHERE = Exact(
-    {method: WHOLE for method in PATH if method is not Method.FIRST_ORDER},
-    not_judged={
-        Method.FIRST_ORDER: "an error of first order may decide whether the slowest bounce leaves "
-        "the floor; that it does not is known at the case's own parameters only"
-    },
-)
 CASE = Case(
     name="settling",
     title="Bounces to rest",

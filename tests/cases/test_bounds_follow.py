@@ -23,6 +23,7 @@ RIGHT = {
     "painleve:mu-0.8 slope=1.72 g=25.5 m=104": "dda/published",
     "painleve:mu-2 slope=0.735": "rigid/default",
     "painleve:mu-2 mu=1.29 V=0.87": "dda/augmented-lagrangian",
+    "settling:drop m=2.7 kn=1.96e6": "dem/default",
     "settling:drop m=0.9153 kn=2.977e6": "dem/published",
     "settling:drop m=1.153 kn=6.437e5 eta=12.54 g=12.52 height=2.141e-3": "dem/default",
     "shaken-corner:viscous z=0.0521 zn=0.179": "dem/published",
