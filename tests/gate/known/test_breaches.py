@@ -215,3 +215,32 @@ def test_an_entry_says_for_how_long_it_holds_or_since_when_it_does_not(
     (found,) = known_breaches.expiry_findings([broken()], known, TODAY)
     assert found.text == f"the known breach 'soft springs' {said}: renew or remove it"
     assert (found.where, found.quantity) == ("bounce:T1 dem/* penetration *", "penetration *")
+
+
+def lagging(case: str, variant: str, scheme: str, gained: float | None) -> Record:
+    """A run of `dda` with other parameters: energy gained by friction over that stored, or None."""
+    changes: dict[str, Any] = {"status": "diverged", "reason": "by step 5"}
+    if gained is not None:
+        ledger = {"terms": {"friction dissipation": -2.0 * gained}, "unaccounted": 0.0, "peak": 2.0,
+                  "bound": 1e-9, "audits": {}}  # fmt: skip
+        changes = {"ledger": ledger, "quantities": [entry("pass", {"max": 1e-4})]}
+    return record(f"dda/{scheme}", variant, 1e-3, case=case, modified=True, **changes)
+
+
+@pytest.mark.parametrize(
+    ("case", "variant", "gained"),
+    [
+        ("rocking-restitution", "aspect-5", None),
+        ("rocking-restitution", "aspect-3", 1.4),
+        ("knife-edge", "topples", 0.13),
+    ],
+)
+def test_lagging_friction_creates_energy_where_blocks_stand_on_edges(
+    case: str, variant: str, gained: float | None
+) -> None:
+    known = read_breaches(ROOT / "cases" / "disagreements.toml")
+    for scheme, excused in (("lagged", True), ("default", False)):
+        one = lagging(case, variant, scheme, gained)
+        (after,) = known_breaches.judge([one], known, TODAY)
+        assert bool(after.known_breaches) == excused
+        assert bool(bits(record_findings([after]))) != excused
