@@ -70,8 +70,11 @@ def _path(p: Parameters, t: Vector) -> Vector:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     unit = math.sqrt(p["m"] / 2 / p["kn"])
-    if not p["v"] * unit < RADIUS:
-        raise ValueError(f"v = {p['v']!r} m/s; spheres would sink by {p['v'] * unit:.6g} m")
+    if not p["v"] * unit < RADIUS / 10:
+        raise ValueError(
+            f"v = {p['v']!r} m/s; spheres would overlap by {p['v'] * unit:.6g} m; it must be less "
+            f"than a tenth of the radius, {RADIUS / 10:g} m, or springs are no hard spheres"
+        )
     goal = History(1.5 * FARTHEST / p["v"], 0.05 * FARTHEST / p["v"])
     seen: tuple[Observable, ...] = tuple(Displacement(i) for i in range(2 * PAIRS))
     way = _directions()

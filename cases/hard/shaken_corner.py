@@ -7,23 +7,20 @@ import math
 
 import numpy as np
 
-from cases._energy_balance import balance
 from cases._sines import harmonic
+from cases.hard.parts import _shaken_bounds
+from cases.hard.parts._shaken_bounds import LASTS, SPEED, STEPS
 from reference_solutions.contact import shaken_spring
 from reference_solutions.contact.shaken_spring import Sine
-from vv.ask import Displacement, History, Knobs, Method
+from vv.ask import Displacement, History, Knobs
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
-    Exact,
     Ladder,
     Level,
     Motion,
     Parameter,
     Parameters,
-    Scalar,
     Source,
-    Tolerance,
     Trial,
     Variant,
 )
@@ -33,12 +30,10 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 AXES = np.array([[2.0, 2.0, 1.0], [-2.0, 1.0, 2.0], [1.0, -2.0, 2.0]]) / 3
 RADIUS = 1e-3  # m; does not enter the answer
 KS, MU = 0.7, 0.9  # ks/kn on one wall, and friction enough: no contact slips or opens
-SPEED = np.array([0.2, -0.15, 0.25])  # v/(w u)
 # along each axis: amplitude over u, omega/w, phase; of the walls, and of the sphere's shaking
 MOVED = ((0.10, 0.31, 0.4), (0.08, 0.57, -1.1), (0.12, 0.43, 2.0))
 SHAKEN = ((0.05, 0.47, 1.3), (0.06, 0.29, -0.5), (0.04, 0.61, 0.2))
-LASTS, SEEN = 40.0, 0.2  # duration, and time between outputs, times w
-STEPS = (0.2, 0.1, 0.05, 0.025)  # times w
+SEEN = 0.2  # time between outputs, times w
 RUNGS = {Level.QUICK: STEPS[:3:2], Level.DEFAULT: STEPS[:3], Level.PAPER: STEPS}
 
 
@@ -119,50 +114,20 @@ def _declare(variant: str, p: Parameters) -> Trial:
     motion = Motion(
         seen, AXES[: 2 if one else 3], functools.partial(_path, variant, p), goal.times(None), "m"
     )
-    judge = _judge(p, unit, p == CASE.defaults(variant))
+    own, step = p == CASE.defaults(variant), _shaken_bounds.coarsest(p)
+    judge = _shaken_bounds.judge(p, unit, step, own)
     parts = [
         motion.component(i, f"q{i + 1}", f"displacement along the {word} axis", judge)
         for i, word in enumerate(("first", "second", "third")[: 2 if one else 3])
     ]
+    finer = step / STEPS[0] * unit
     levels = {
-        level: tuple(Knobs(dt=step * unit) for step in steps) for level, steps in RUNGS.items()
+        level: tuple(Knobs(dt=one * finer) for one in steps) for level, steps in RUNGS.items()
     }
     ladder = Ladder(scene, goal, (seen,), levels)
-    return Trial(ladder, (*parts, motion.distance(judge), _balance(unit)))
-
-
-def _judge(p: Parameters, unit: float, own: bool) -> Exact:
-    """unit: 1/w [s]; own: whether the parameters are the case's, at which errors of late drag
-    partly cancel; errors are relative to the largest displacement."""
-    step, damping = STEPS[0], max(p["z"] + p["zn"], 1 / (math.e * LASTS))
-    late = step / (2 * math.e) + (p["z"] + p["zn"]) * step * (1 + 1 / math.e)
-    return Exact({
-        Method.EXACT: Tolerance(1e-12, "no event occurs: only rounding errors over a time of 40/w "
-                                "remain"),
-        Method.SECOND_ORDER: Tolerance(
-            step**2 / (24 * math.e * damping) + step**2 / 8,
-            "the phase of the oscillation has a relative error of (w dt)^2/24, which counts most "
-            "when the amplitude has decayed by a factor of e; drag and steady motion have errors "
-            "of some (w dt)^2/8",
-            dt=step * unit, order=2,
-        ),
-        Method.FIRST_ORDER: Tolerance(
-            step / math.e if own else min(max(step / math.e, late), LARGEST_TOLERANCE),
-            "drag with the velocity half a step before changes the mass by z w dt, and the "
-            "oscillation by w dt/(2 e) at most; forces that start half a step late add as much, "
-            "and such drag z w dt of the speed at the start, and z w dt/e as the motion decays",
-            dt=step * unit, order=1,
-        ),
-    })  # fmt: skip
-
-
-def _balance(unit: float) -> Scalar:
-    """unit: 1/w [s]."""
-    step, exact = STEPS[0], Tolerance(1e-12, "no event: only rounding errors remain")
-    late = "the error of the first half step, since no contact opens or slips"
-    second = Tolerance(step**2 / 200, f"{late}: some (w dt)^2/200", dt=step * unit, order=2)
-    first = Tolerance(step / 40, f"{late}; forces start half a step late", dt=step * unit, order=1)
-    return balance({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
+    return Trial(
+        ladder, (*parts, motion.distance(judge), _shaken_bounds.balance(p, unit, step, own, one))
+    )
 
 
 FORMULA = (

@@ -5,7 +5,7 @@ import pytest
 from tests.findings.figures import PROJECT, asked
 from tests.support.installed import require
 from vv.ask import Status
-from vv.case import Level
+from vv.case import Exact, Level
 from vv.records.outcomes import Verdict
 from vv.records.record import measured
 
@@ -27,6 +27,8 @@ RIGHT = {
     "settling:drop m=0.9153 kn=2.977e6": "dem/published",
     "settling:drop m=1.153 kn=6.437e5 eta=12.54 g=12.52 height=2.141e-3": "dem/default",
     "shaken-corner:viscous z=0.0521 zn=0.179": "dem/published",
+    "shaken-corner:viscous m=2.83 zn=0.291 g=27.5": "dem/published",
+    "shaken-corner:viscous z=0.15 zn=0.3": "dem/published",
     "single-contact:T4 r=28.8": "dem/published",
     "slow-slide:held m=7030 mu=0.598 g=19.1": "dda/default",
     "slow-slide:held m=3420 mu=0.695 v0=0.0227 g=11.2": "dem/default",
@@ -48,6 +50,9 @@ RIGHT = {
     "close-packed-energy:pulled-82 kn=1.62e7 ks=8.88e6 d=3.91e-4": "dem/default",
     "close-packed-energy:pressed-82 rate=-16": "dem/default",
     "close-packed-energy:pressed-82 kn=2.5e7 m=2.5e-6": "dem/published",
+    "close-packed-failure:82 kn=6.47e7 ks=1.05e7 xb=1.85e-7 fs0=11.2 mu_p=0.508 d=0.00125 "
+    "m=1.96e-6 rate=-1.37": "dem/default",
+    "close-packed-failure:82 ks=5.29e6": "dem/default",
     "packing:seed-1 m=0.0035 kn=7.86e4 g=5.17": "dem/default",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
         "dem/default"
@@ -82,3 +87,25 @@ def test_a_sheet_whose_contacts_open_is_refused(given: dict[str, float]) -> None
     case = PROJECT.load_case("resting")
     with pytest.raises(ValueError, match=r"contacts open, by about v/sqrt\(kn/m\)"):
         case.declare("booked", {**case.defaults("booked"), **given})
+
+
+@pytest.mark.parametrize(
+    ("ks", "kn", "judged"), [(1.0, 1.0, True), (0.99, 1.0, True), (1.0, 1.4, False)]
+)
+def test_a_slope_is_judged_where_no_wave_lets_bonds_slide(
+    ks: float, kn: float, judged: bool
+) -> None:
+    case = PROJECT.load_case("close-packed-failure")
+    usual = case.defaults("82")
+    trial = case.declare("82", {**usual, "ks": ks * usual["ks"], "kn": kn * usual["kn"]})
+    (after,) = (one for one in trial.quantities if one.name == "E after")
+    assert isinstance(after.judge, Exact) == judged
+
+
+@pytest.mark.parametrize("given", [{"v": 4.89, "m": 2.2}, {"kn": 1e5, "v": 2.3}])
+def test_pairs_of_spheres_that_overlap_by_a_tenth_of_their_radius_are_refused(
+    given: dict[str, float],
+) -> None:
+    case = PROJECT.load_case("crowd")
+    with pytest.raises(ValueError, match=r"would overlap by .*less than a tenth of the radius"):
+        case.declare("pairs", {**case.defaults("pairs"), **given})

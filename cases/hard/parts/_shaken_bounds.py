@@ -1,0 +1,71 @@
+"""Bounds of a sphere in a shaken corner, and the steps at which they are smaller than allowed."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from cases._energy_balance import balance as unexplained
+from vv.ask import Method
+from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Scalar, Tolerance
+
+LASTS = 40.0  # duration times w
+SPEED = np.array([0.2, -0.15, 0.25])  # v/(w u)
+STEPS = (0.2, 0.1, 0.05, 0.025)  # times w
+
+
+def _late(p: Parameters, step: float) -> float:
+    """The error of drag with the velocity half a step before; step: times w."""
+    return step / (2 * math.e) + (p["z"] + p["zn"]) * step * (3 / 2 + 1 / math.e)
+
+
+def coarsest(p: Parameters) -> float:
+    """The coarsest step times w, by halving, at which late drag is no larger error than allowed."""
+    step = STEPS[0]
+    while _late(p, step) > LARGEST_TOLERANCE:
+        step /= 2
+    return step
+
+
+def judge(p: Parameters, unit: float, step: float, own: bool) -> Exact:
+    """unit: 1/w [s]; step: the coarsest, times w; own: whether the parameters are the case's, at
+    which errors of late drag partly cancel; errors are relative to the largest displacement."""
+    damping = max(p["z"] + p["zn"], 1 / (math.e * LASTS))
+    return Exact({
+        Method.EXACT: Tolerance(1e-12, "no event occurs: only rounding errors over a time of 40/w "
+                                "remain"),
+        Method.SECOND_ORDER: Tolerance(
+            step**2 / (24 * math.e * damping) + step**2 / 8,
+            "the phase of the oscillation has a relative error of (w dt)^2/24, which counts most "
+            "when the amplitude has decayed by a factor of e; drag and steady motion have errors "
+            "of some (w dt)^2/8",
+            dt=step * unit, order=2,
+        ),
+        Method.FIRST_ORDER: Tolerance(
+            step / math.e if own else max(step / math.e, _late(p, step)),
+            "drag with the velocity half a step before changes the mass by z w dt, and the "
+            "oscillation by w dt/(2 e) at most; forces that start half a step late add as much, "
+            "and such drag z w dt of the speed at the start, z w dt/2 of its amplitude, and z w "
+            "dt/e as the motion decays",
+            dt=step * unit, order=1,
+        ),
+    })  # fmt: skip
+
+
+def balance(p: Parameters, unit: float, step: float, own: bool, one: bool) -> Scalar:
+    """unit: 1/w [s]; step: the coarsest, times w; own: see `judge`; one: there is one wall."""
+    exact = Tolerance(1e-12, "no event: only rounding errors remain")
+    late = "the error of the first half step, since no contact opens or slips"
+    second = Tolerance(step**2 / 200, f"{late}: some (w dt)^2/200", dt=step * unit, order=2)
+    square = float(SPEED[: 2 if one else 3] @ SPEED[: 2 if one else 3])
+    dragged = 0.0 if own else (p["z"] + p["zn"]) * 2 * square / ((1 if one else 3) + square)
+    first = Tolerance(
+        step * (1 / 40 + dragged),
+        f"{late}; forces start half a step late, drag among them, whose work in that time is z w "
+        "dt m v^2 of the energy kn u^2/2 in each wall and m v^2/2",
+        dt=step * unit, order=1,
+    )  # fmt: skip
+    return unexplained(
+        {Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: first}
+    )
