@@ -12,6 +12,10 @@ from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Scalar, Tolerance
 
 LASTS = 40.0  # duration times w
 SPEED = np.array([0.2, -0.15, 0.25])  # v/(w u)
+DRAGGED = (
+    ", drag among them, whose work in that time is z w dt m v^2 of the energy kn u^2/2 in each "
+    "wall and m v^2/2"
+)
 STEPS = (0.2, 0.1, 0.05, 0.025)  # times w
 
 
@@ -46,8 +50,8 @@ def judge(p: Parameters, unit: float, step: float, own: bool) -> Exact:
             step / math.e if own else max(step / math.e, _late(p, step)),
             "drag with the velocity half a step before changes the mass by z w dt, and the "
             "oscillation by w dt/(2 e) at most; forces that start half a step late add as much, "
-            "and such drag z w dt of the speed at the start, z w dt/2 of its amplitude, and z w "
-            "dt/e as the motion decays",
+            "and such drag z w dt of the speed at the start, and z w dt/e as the motion decays"
+            f"{'' if own else ', and z w dt/2 of the amplitude'}",
             dt=step * unit, order=1,
         ),
     })  # fmt: skip
@@ -62,8 +66,7 @@ def balance(p: Parameters, unit: float, step: float, own: bool, one: bool) -> Sc
     dragged = 0.0 if own else (p["z"] + p["zn"]) * 2 * square / ((1 if one else 3) + square)
     first = Tolerance(
         step * (1 / 40 + dragged),
-        f"{late}; forces start half a step late, drag among them, whose work in that time is z w "
-        "dt m v^2 of the energy kn u^2/2 in each wall and m v^2/2",
+        f"{late}; forces start half a step late{'' if own else DRAGGED}",
         dt=step * unit, order=1,
     )  # fmt: skip
     return unexplained(
