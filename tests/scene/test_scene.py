@@ -186,6 +186,21 @@ def test_a_bond_that_can_break_is_like_the_contact_but_for_rounding(name: str, o
             made(5.0)
 
 
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [("radius", "radii"), ("mass", "masses"), ("inertia", "moments of inertia")],
+)
+@pytest.mark.parametrize("value", [0.0, -1.0])
+def test_a_sphere_has_a_size_and_a_mass(name: str, said: str, value: float) -> None:
+    two = {"radius": np.ones(2), "mass": np.ones(2), "inertia": np.ones(2)}
+    wrong = {**two, name: np.array([1.0, value])}
+    still = np.zeros((2, 3))
+    with pytest.raises(
+        ValueError, match=rf"Spheres\.{name}\[1\] = {value} .*; {said} must be positive"
+    ):
+        Spheres(still, still, free=np.ones((2, 3), bool), **wrong)
+
+
 def test_a_sphere_has_the_inertia_of_a_ball_unless_it_is_given() -> None:
     assert balls().inertia == pytest.approx(0.4 * 2.0 * 0.5**2)
 

@@ -47,4 +47,7 @@ BUGS = (
     Bug('an answer stands though a new timing was asked for', 'vv/cli/invocation.py', 'not (limits.fresh or limits.timing is Timing.NEW)', 'not limits.fresh', tests='tests/cli/decisions/test_gate_and_run.py'),
     Bug('variants without timed settings are timed at any stiffness', 'vv/cli/speed_command.py', 'knobs.kn in (None, rung.kn) for', 'True for', tests='tests/cli/decisions/test_speed_and_export.py'),
     Bug('jobs that failed count as gaps of a session', 'vv/run/timing_phase.py', 'job.timed and ran(records[n])', 'job.timed', tests='tests/run/test_timing_decisions.py'),
+    Bug('variants of higher levels run at any', 'vv/plan/planning.py', 'if case.variant(variant).runs_at(options.level)', 'if True', tests='tests/plan/test_planning.py'),
+    Bug('an export is of the coarsest setting', 'vv/plan/planning.py', 'posed.ask(posed.rungs[-1])', 'posed.ask(posed.rungs[0])', tests='tests/plan/test_planning.py'),
+    Bug('what is inert is named though it is unchanged', 'vv/plan/planning.py', 'n in inert and value != usual[n]', 'n in inert', tests='tests/plan/test_planning.py'),
 )  # fmt: skip
