@@ -202,11 +202,14 @@ def _apart(wanted: Sequence[float]) -> list[float]:
     return found
 
 
+WIDE, HIGH = 48.0, 13.0  # of the text on a guide [px], with space
+
+
 def _guides(chart: Chart, x: Axis, y: Axis) -> list[str]:
     """Faint lines with their slope written on: rising ones from the upper right, others left."""
     if not chart.guides or not chart.curves:
         return []
-    parts = []
+    parts, taken = [], list[tuple[float, float]]()
     top = max(float(curve.y.max()) for curve in chart.curves)
     for slope in chart.guides:
         ends = [float(c.x.max() if slope > 0 else c.x.min()) for c in chart.curves]
@@ -218,6 +221,10 @@ def _guides(chart: Chart, x: Axis, y: Axis) -> list[str]:
         heights = top * (spots / at) ** slope
         parts.append(f'<path class="guide" d="{path(x.at(spots), y.at(heights))}"/>')
         spot = at * (end / at) ** 0.8
-        place = float(x.at(spot)), float(y.at(top * (spot / at) ** slope))
+        across, down = float(x.at(spot)), float(y.at(top * (spot / at) ** slope))
+        while any(abs(across - a) < WIDE and abs(down - b) < HIGH for a, b in taken):
+            down += HIGH
+        place = across, down
+        taken.append(place)
         parts.append(text(*place, f"slope {slope}", "guided"))
     return parts

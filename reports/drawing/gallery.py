@@ -116,7 +116,7 @@ def _relative(over_time: Sequence[History], of: str) -> list[Figure]:
     drawn = {c.mark.label: float(np.nanmax(c.y)) for c in chart.curves}
     largest = {label: (error, f"{label} {sci(error)}") for label, error in drawn.items()}
     caption = (
-        "Settings as before; the paper's norm at each time, left out where |reference| is "
+        "Settings as before; error over reference at each time, left out where |reference| is "
         f"below {100 * POINTWISE_THRESHOLD:g} % of its maximum.{below}"
     )
     alt = f"Relative error of {of} over time; largest: {', '.join([_in_short(largest), *low])}"

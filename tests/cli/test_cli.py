@@ -36,7 +36,7 @@ BAD = {
     "run fall --set speed": "expected NAME=VALUE[UNIT]",
     "run fall --rung dt=-1": "dt = -1.0 s; a knob must be positive",
     "run fall --rung dx=1": "expected dt=SECONDS",
-    "run fall --rung dt=1ms": "is not a plain number",
+    "run fall --rung dt=1kg": "dt = 1 'kg': not a unit that converts to s",
     "run fall --rung dt=1,dt=2": "dt is given twice",
     "run fall --rung dt=0.1,kn=2": "fall:up has a contact stiffness of its own; leave out kn",
     "run fall --level huge": "'huge' is not one of",

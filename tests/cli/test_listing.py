@@ -38,6 +38,11 @@ def test_words_fit_a_variant_or_the_title_of_its_case(
     assert _fitting(FAMILIES, CASES, words) == found
 
 
+def test_what_a_variant_lacks_is_not_found_by_its_word() -> None:
+    cases = [case("fall", "A ball falls", bare="up, no drag", free="without drag", wet="drag")]
+    assert _fitting({"fall": "free"}, cases, "drag") == {"fall": ["wet"]}
+
+
 def test_words_that_fit_nothing_are_refused() -> None:
     with pytest.raises(UsageError, match="matches no variant"):
         _fitting(FAMILIES, CASES, "nowhere")

@@ -32,6 +32,7 @@ def test_an_empty_folder_becomes_a_project_with_a_code_and_a_case_that_run(tmp_p
     ("words", "message"),
     [
         ("new code My", "'My': a name must be lower-case letters"),
+        ("new case Drop-2", "'Drop-2': a name must be lower-case letters, digits, - and _"),
         ("new code ../x", "'../x': a name must be lower-case letters"),
         ("new code --language cobol", "'cobol' is not one of"),
         ("new thing", "'thing' is not one of"),

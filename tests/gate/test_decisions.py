@@ -128,6 +128,15 @@ def test_a_result_or_a_case_without_a_baseline_is_red_only_where_one_is_demanded
     assert compared([changed(ran(variant="T2"), status="refused")], accepted(ran()), True) == []
 
 
+def test_a_result_at_another_setting_than_those_of_the_baseline_says_so() -> None:
+    def said(record: Record) -> str:
+        (found,) = compared([record], accepted(ran()), demanded=False)
+        return found.text
+
+    assert said(ran(rung={"dt": 3e-3})) == "has no baseline at this setting"
+    assert said(ran(rung={"dt": 3e-3}, variant="T2")) == "has no baseline yet"
+
+
 def test_other_parameters_name_only_those_that_differ() -> None:
     then = accepted(ran(parameters={"m": 1.0, "g": 9.81}), ran(variant="T2"))
     now = [ran(parameters={"m": 2.0, "g": 9.81}), ran(variant="T2")]

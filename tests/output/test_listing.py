@@ -38,5 +38,5 @@ def test_jobs_that_are_stored_and_that_would_run_are_listed_and_counted_apart(
         "fall:up dem/default  dt=0.2",
         "fall:up exact/default  (stored)",
         "not supported: yade/default",
-        "6 jobs, 1 would run, 3 are stored",
+        "6 jobs, 1 would run, 3 are stored, 2 not supported",
     ]

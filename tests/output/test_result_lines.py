@@ -194,7 +194,7 @@ def test_progress_is_told_now_and_then_and_the_first_runs_that_are_lost(
         shown.done(fine())
     said = lines(told)
     assert [line.rpartition("note: ")[2] for line in said] == [
-        f"5 of 100 runs, about {progress._round(95 * step)} left",
+        "5 of 100 runs",
         f"10 of 100 runs, about {progress._round(90 * step)} left",
     ]
     lost = record("dem/default", "T1", 1e-3, status="error", reason="it broke")

@@ -4,11 +4,19 @@ import time
 
 import pytest
 
+from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.case import Case, Parameter, Sign, Source, Variant
-from vv.plan.settings import parse_value
+from vv.plan.settings import parse_knobs, parse_value
 
 SPEED = Parameter("speed", 1.0, "m/s", "a speed")
+
+
+def test_a_setting_may_have_units() -> None:
+    assert parse_knobs("dt=50ms, kn=1GN/m") == Knobs(0.05, 1e9)
+    assert parse_knobs("dt=1e-4,dd=0.9") == Knobs(1e-4, None, 0.9)
+    with pytest.raises(UsageError, match=r"^--rung dt=1kg: dt = 1 'kg': not a unit"):
+        parse_knobs("dt=1kg")
 
 
 @pytest.mark.parametrize(

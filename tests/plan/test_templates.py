@@ -38,7 +38,7 @@ def test_a_case_starts_as_the_one_that_the_page_shows(tmp_path: Path) -> None:
     case = (tmp_path / "cases" / "my_case.py").read_text()
     assert "from reference_solutions import my_case" in case
     assert 'name="my-case"' in case
-    assert "A sphere rebounds" in case
+    assert 'title="My case"' in case
 
 
 def test_a_new_project_adds_to_what_came_with_vv(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fnmatch
 import functools
+import re
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -66,9 +67,13 @@ def _all_variants(case: Case) -> list[str]:
     return [variant.name for variant in case.variants]
 
 
+LACKING = re.compile(r"\b(?:no|without) \w+")
+
+
 def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[str, list[str]]:
     """Case -> its variants whose names or descriptions match an expression.
 
+    What a description says is lacking, such as `no drag`, is not matched.
     If no variant matches but the title of the case does, all its variants are selected. Raises
     UsageError if nothing matches.
     """
@@ -77,8 +82,12 @@ def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[
     fits, fitting = matcher(keyword), {}
     for case in cases:
         family = families[case.name]
-        own = [v.name for v in case.variants if fits(f"{family} {case.name}:{v.name} {v.summary}")]
-        by_title = fits(f"{family} {case.name} {case.title}")
+        own = [
+            v.name
+            for v in case.variants
+            if fits(f"{family} {case.name}:{v.name} {LACKING.sub('', v.summary)}")
+        ]
+        by_title = fits(f"{family} {case.name} {LACKING.sub('', case.title)}")
         fitting[case.name] = own or (_all_variants(case) if by_title else [])
     if not any(fitting.values()):
         raise UsageError(f"-k '{keyword}' matches no variant; `vv list` shows all")

@@ -39,7 +39,7 @@ def new(
     """
     from vv.plan import imports, templates
 
-    name = (name or NAMES[kind]).replace("-", "_")
+    name = templates.file_name(name or NAMES[kind])
     if kind is Kind.CODE:
         for path in templates.program(Path.cwd(), name, language):
             say(f"written: {path.name}")

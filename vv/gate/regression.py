@@ -108,7 +108,10 @@ def _compared(record: Record, baseline: Baseline, strictness: Strictness) -> Ite
     if then is None:
         if ran(record):
             bit = Bit.INCOMPLETE if strictness.demanded else Bit(0)
-            yield _finding(record, Moved("", Change.NEW, "has no baseline yet"), bit, True)
+            place = f"{record.variant} {record.label}"
+            known = any(name.partition(" dt=")[0] == place for name in baseline.results)
+            text = "has no baseline at this setting" if known else "has no baseline yet"
+            yield _finding(record, Moved("", Change.NEW, text), bit, True)
         return
     if record.status in (Status.REFUSED, Status.NOT_RUN, Status.TOO_LONG):
         text = f"has a baseline, but now: {record.status.value}: {record.reason}"

@@ -28,7 +28,7 @@ def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
     for name, case in plan.cases.items():
         doi = f", doi:{case.source.doi}" if case.source.doi else ""
         say(case.title, f"  source: {case.source.citation}{doi}")
-        say(f"  note: {case.source.note}")
+        say(*([f"  note: {case.source.note}"] if case.source.note else []))
         for source, text in case.published.items():
             say(f"  published, {source}: {text}")
         for variant in case.variants:

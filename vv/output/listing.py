@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vv.output.terminal import say
+from vv.output.wording import in_words
 from vv.records.outcomes import Outcome
 
 if TYPE_CHECKING:
@@ -34,7 +36,9 @@ def print_jobs(plan: Plan, stored: Container[int]) -> None:
         say(by_outcome(rest))
     kept = sum(len(own) for (_, mark), own in waiting.items() if mark)
     run = sum(map(len, waiting.values())) - kept
-    say(f"{len(plan.jobs)} jobs, {run} would run, {kept} are stored")
+    none = Counter(Outcome(job.settled.status.value) for job in plan.jobs if job.settled)
+    others = "".join(f", {number} {in_words(fate)}" for fate, number in none.items())
+    say(f"{len(plan.jobs)} jobs, {run} would run, {kept} are stored{others}")
 
 
 def print_cases(

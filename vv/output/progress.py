@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 
 EVERY = 2.0  # seconds between two plain lines
 LOST = (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
-EARLY = 0.03  # fraction of runs before which estimates of the remaining time are far too long
+EARLY = 0.1  # fraction of runs before which estimates of the remaining time are far too long
+FEWEST = 3  # runs before which they are, since kernels compile and programs start
 EACH = 0.2  # expected seconds per timed setting, with the start of its code
 NAMED = 6  # failed jobs that are reported at once; all are listed at the end
 
@@ -90,7 +91,7 @@ class _Lines:
 
     def _left(self, now: float) -> str:
         """The remaining time in words; empty while kernels compile at the start."""
-        if self.count < EARLY * self.jobs:
+        if self.count < max(FEWEST, EARLY * self.jobs):
             return ""
         return f", about {_round((now - self.begun) / self.count * (self.jobs - self.count))} left"
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 import re
 import tokenize
@@ -12,12 +11,12 @@ from typing import TYPE_CHECKING
 from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.base.hints import name_hint
-from vv.case import Case, Parameter
+from vv.case import Case, Parameter, Sign
 
 if TYPE_CHECKING:
     import pint
 
-KNOBS = tuple(field.name for field in dataclasses.fields(Knobs))
+KNOBS = {"dt": "s", "kn": "N/m", "dd": ""}  # their units
 
 
 def parameters_with_settings(case: Case, variant: str, settings: Sequence[str]) -> dict[str, float]:
@@ -87,20 +86,18 @@ def _units() -> pint.UnitRegistry[float]:
 
 
 def parse_knobs(text: str) -> Knobs:
-    """Knobs from a text such as dt=1e-4,kn=1e9; raises UsageError."""
+    """Knobs from a text such as dt=1e-4,kn=1e9 or dt=50us; raises UsageError."""
     values: dict[str, float] = {}
     for part in text.split(","):
-        name, equals, value = part.partition("=")
-        match = NUMBER.fullmatch(value)
-        if not equals or name.strip() not in KNOBS:
+        name, equals, value = (word.strip() for word in part.partition("="))
+        if not equals or name not in KNOBS:
             raise UsageError(f"--rung {text}: expected dt=SECONDS, kn=N/M, or dt=SECONDS,kn=N/M")
-        if match is None or match[2]:
-            raise UsageError(
-                f"--rung {text}: {name} = '{value}' is not a plain number, in SI units"
-            )
-        if name.strip() in values:
+        if name in values:
             raise UsageError(f"--rung {text}: {name} is given twice; repeat --rung instead")
-        values[name.strip()] = float(match[1])
+        try:
+            values[name] = parse_value(value, Parameter(name, 1.0, KNOBS[name], "", Sign.ANY))
+        except UsageError as error:
+            raise UsageError(f"--rung {text}: {error}") from error
     try:
         return Knobs(**values)
     except ValueError as error:

@@ -34,28 +34,38 @@ PROGRAMS: Mapping[Language, str] = {
     Language.PYTHON: "verlet",
     Language.SH: "awk_dem",
 }
-CASE = "rebound"
+CASE, TITLE = "rebound", "A sphere rebounds"
+
+
+def file_name(name: str) -> str:
+    """A name as files have it, with `_` for `-`; raises UsageError for a bad one."""
+    made = name.replace("-", "_")
+    if not FILE_NAME.fullmatch(made):
+        rule = "a name must be lower-case letters, digits, - and _, and start with a letter"
+        raise UsageError(f"'{name}': {rule}")
+    return made
 
 
 def program(folder: Path, name: str, language: Language) -> list[Path]:
     """Write a program and its TOML file, which answer T1-T4 or part of them; returns the files."""
-    example = PROGRAMS[language]
+    name, example = file_name(name), PROGRAMS[language]
     sources = sorted((EXAMPLES / language.value).glob(f"{example}.*"))
     texts = {
         folder / f"{name}{source.suffix}": source.read_text().replace(example, name)
         for source in sources
     }
-    return _written(name, texts)
+    return _written(texts)
 
 
 def case(folder: Path, name: str) -> list[Path]:
     """Write a case and its exact answer below the folder of a project; returns the files."""
-    texts = {}
+    name, texts = file_name(name), {}
     for part in ("cases", "reference_solutions"):
         text = (EXAMPLES / "case" / part / f"{CASE}.py").read_text()
         named = text.replace(f'name="{CASE}"', f'name="{name.replace("_", "-")}"')
+        named = named.replace(f'title="{TITLE}"', f'title="{name.replace("_", " ").capitalize()}"')
         texts[folder / part / f"{name}.py"] = re.sub(rf"\b{CASE}\b", name, named)
-    return _written(name, texts)
+    return _written(texts)
 
 
 def project(folder: Path) -> list[Path]:
@@ -64,14 +74,11 @@ def project(folder: Path) -> list[Path]:
     ignored = folder / ".gitignore"
     if not ignored.exists():
         kept[ignored] = ".vv/\n"
-    return _written("project", {folder / "vv.toml": SETTINGS, **kept})
+    return _written({folder / "vv.toml": SETTINGS, **kept})
 
 
-def _written(name: str, texts: Mapping[Path, str]) -> list[Path]:
-    """Write new files, all or none; raises UsageError for a bad name or a file that exists."""
-    if not FILE_NAME.fullmatch(name):
-        rule = "a name must be lower-case letters, digits and _, and start with a letter"
-        raise UsageError(f"'{name}': {rule}")
+def _written(texts: Mapping[Path, str]) -> list[Path]:
+    """Write new files, all or none; raises UsageError for a file that exists."""
     _require_free(texts)
     for path, text in texts.items():
         path.parent.mkdir(parents=True, exist_ok=True)

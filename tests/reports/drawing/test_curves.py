@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from reports.drawing.charts import Chart, Curve, Rim
-from reports.drawing.curves import draw
+from reports.drawing.curves import HIGH, draw
 from reports.marks import UNNUMBERED, Mark
 from tests.support.drawn import near, numbers, paths, placed, read, texts
 
@@ -174,6 +174,12 @@ def test_guides_have_their_slope_from_the_top_right_or_the_top_left() -> None:
         ("slope -2", log_x(spots[1]), log_y(0.01 * (spots[1] / 1e-3) ** -2)),
     )
     assert not paths(read(draw(dataclasses.replace(LOG, guides=()))), "guide")
+
+
+def test_names_of_guides_that_would_lie_on_each_other_stand_below_each_other() -> None:
+    flat = dataclasses.replace(LOG, curves=(curve(A, [1e-2, 1.1e-2], [1e-9, 1e-1]),), guides=(1, 2))
+    one, other = texts(read(draw(flat)), "guided")
+    assert other[2] - one[2] >= HIGH
 
 
 def test_marks_on_the_rims_stand_at_their_step_or_in_a_row_from_the_right() -> None:
