@@ -15,6 +15,7 @@ import pytest
 from vv.engines.rigid.general import few, many
 from vv.engines.rigid.general.few import Limits
 from vv.engines.rigid.limits import CARRIED, FAR, LEAPT, SOFT, STALLED, STEADIED, STUCK
+from vv.engines.rigid.solver.cone import Problem
 from vv.scene import Vector
 
 ASKED = 1e-6  # m/s
@@ -45,7 +46,7 @@ def done(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     monkeypatch.setattr(many, "clear", cleared)
     for where in few, many:
         monkeypatch.setattr(where, "polish", polished)
-        monkeypatch.setattr(where, "velocities_without", lambda p, j, b, v, w: (v.copy(), w.copy()))
+        monkeypatch.setattr(where, "velocities_without", lambda given: (given.v, given.w))
     return said
 
 
@@ -64,8 +65,9 @@ def replace_sweeps(
 def solved(way: str, p: Vector, blocks: int = BLOCKS, most: int = 20_000) -> Any:
     """Sweeps and residual of one way of solving, from impulses p."""
     solve = getattr(few if way == "solve_chained" else many, way).py_func
-    limits, none = Limits(blocks, ASKED, most), None
-    return solve(limits, none, none, none, p, p.copy(), p.copy(), 1, ASKED, none)
+    none: Any = None
+    problem = Problem(none, none, none, p, p.copy(), p.copy())
+    return solve(Limits(blocks, ASKED, most), problem, 1, ASKED, none)
 
 
 def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = STUCK) -> Vector:

@@ -13,7 +13,7 @@ from vv.engines.kernels.arrays import zero_rows
 from vv.engines.rigid.general.energy import arm_covariance
 from vv.engines.rigid.general.lever_arms import halfway
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction, residual, sweep
+from vv.engines.rigid.solver.cone import Friction, Problem, residual, sweep
 from vv.engines.rigid.solver.drift import leap_sweeps
 from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.scene import Vector
@@ -59,11 +59,11 @@ def _solved(
     leaps: bool = False,
 ) -> tuple[int, float, Vector]:
     p, w, sweeps = zero_rows(len(joints.first)), zero_rows(len(v)), 0
-    left = residual(p, joints, friction, v, w)
+    left, problem = residual(p, joints, friction, v, w), Problem(joints, bodies, friction, p, v, w)
     if leaps:
-        sweeps, left = leap_sweeps(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)
+        sweeps, left = leap_sweeps(problem, TOLERANCE, sweeps, MOST)
     elif carries:
-        sweeps, left = momentum_sweeps(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)
+        sweeps, left = momentum_sweeps(problem, TOLERANCE, sweeps, MOST)
     while left > TOLERANCE and sweeps < MOST:
         sweep(p, joints, bodies, friction, v, w)
         left, sweeps = residual(p, joints, friction, v, w), sweeps + 1
@@ -105,10 +105,8 @@ def test_velocities_are_those_of_the_impulses(leaps: bool) -> None:
     assert np.abs(v - made).max() <= 1e-12
 
 
-def _at_most(
-    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector, most: int
-) -> int:
-    return int(leap_sweeps(p, joints, bodies, friction, v, w, 0.0, 0, most)[0])
+def _at_most(problem: Problem, most: int) -> int:
+    return int(leap_sweeps(problem, 0.0, 0, most)[0])
 
 
 @pytest.mark.parametrize("most", [500, 650, 850, 1000])
@@ -117,7 +115,7 @@ def test_sweeps_with_leaps_are_no_more_than_allowed(most: int) -> None:
     joints, bodies, friction, v = pile(40, 0.5)
     nil = np.zeros_like(joints.normal), np.zeros_like(v)
     kernel: Any = numba.njit(_at_most)
-    assert kernel(nil[0], joints, bodies, friction, v, nil[1], most) == most
+    assert kernel(Problem(joints, bodies, friction, nil[0], v, nil[1]), most) == most
 
 
 def _halfway(joints: Joints, before: Index, began: Joints) -> tuple[Vector, Vector, Vector, Vector]:

@@ -15,7 +15,7 @@ from vv.engines.rigid.general.few import polish
 from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering, equation_numbers, half_width
-from vv.engines.rigid.solver.cone import Friction, residual, sweep
+from vv.engines.rigid.solver.cone import Friction, Problem, residual, sweep
 from vv.scene import Vector
 
 PLANE, SPIN = np.diag([1.0, 0.0, 1.0]), np.diag([0.0, 1.0, 0.0])
@@ -27,12 +27,13 @@ def _solved(
     """Solve by sweeps, with Newton steps after every sixty if asked for; returns the residual."""
     p, blocks = zero_rows(len(joints.first)), len(v) - 1
     place, _ = band_ordering(joints, bodies, blocks)
+    problem = Problem(joints, bodies, friction, p, v, w)
     sweeps, left = 0, residual(p, joints, friction, v, w)
     while left > TOLERANCE and sweeps < MOST:
         sweep(p, joints, bodies, friction, v, w)
         left, sweeps = residual(p, joints, friction, v, w), sweeps + 1
         if newton and sweeps % 60 == 0:
-            left = polish(p, joints, bodies, friction, v, w, TOLERANCE, left, place, STIFF)
+            left = polish(problem, TOLERANCE, left, place, STIFF)
     return sweeps, left
 
 

@@ -14,7 +14,7 @@ from vv.engines.rigid.general import bends
 from vv.engines.rigid.general.bends import add_friction, along_groove, sag_by_motions, set_turns
 from vv.engines.rigid.slip import bend
 from vv.engines.rigid.solver.assembly import Bodies, apply
-from vv.engines.rigid.solver.cone import Friction
+from vv.engines.rigid.solver.cone import Friction, Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -123,8 +123,9 @@ def test_friction_turns_by_the_bend_of_each_slip(monkeypatch: pytest.MonkeyPatch
     of = Slipping()
     joints, friction, p = of.joints, of.friction, of.p
     monkeypatch.setattr(bends, "along_groove", lambda sag, *_: tuple(0.5 * np.array(sag)))
-    given: Any = (of.setting, NOW, SPAN, joints, of.bodies, friction, p, *of.motion)
-    assert set_turns(*given)
+    v_old, w_old, v, w = of.motion
+    problem = Problem(joints, of.bodies, friction, p, v, w)
+    assert set_turns(of.setting, NOW, SPAN, problem, v_old, w_old)
     for c in (0, 3):
         before, after, pulled = (
             tuple(of.flat(c, at_contact(joints, c, *motion)))
@@ -135,6 +136,5 @@ def test_friction_turns_by_the_bend_of_each_slip(monkeypatch: pytest.MonkeyPatch
         assert np.linalg.norm(due) > 1e-6
         assert friction.turn[c] == pytest.approx(due)
     assert (friction.turn[1:3] == 7.0).all()
-    still: Any = friction._replace(d=0.0 * friction.d)
-    given = (*given[:5], still, *given[6:])
-    assert not set_turns(*given)
+    still = problem._replace(friction=friction._replace(d=0.0 * friction.d))
+    assert not set_turns(of.setting, NOW, SPAN, still, v_old, w_old)

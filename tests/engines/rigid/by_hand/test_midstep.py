@@ -15,6 +15,7 @@ from vv.engines.rigid.general.kernel import add_impulses, fill_forces, remove_pe
 from vv.engines.rigid.general.lever_arms import act_at_midstep, difference, halfway, turned_back
 from vv.engines.rigid.general.setting import copy_of, shift_at
 from vv.engines.rigid.solver.assembly import Bodies, Joints
+from vv.engines.rigid.solver.cone import Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -64,12 +65,14 @@ def test_impulses_are_moved_from_the_end_to_mid_step() -> None:
         for body, arm in ends:
             at_arm = moved[0, body] + np.cross(moved[1, body], arm)
             worst = max(worst, float(np.linalg.norm(at_arm)))
-    found = act_at_midstep(p, acted, joints, middle, turn, bodies, v, w)
+    friction: Any = None
+    problem = Problem(joints, bodies, friction, p, v, w)
+    found = act_at_midstep(problem, acted, middle, turn)
     assert found == pytest.approx(worst)
     assert v == pytest.approx(due[0])
     assert w == pytest.approx(due[1])
     assert acted.tolist() == p.tolist()
-    assert act_at_midstep(p, acted, joints, middle, turn, bodies, v, w) == 0.0
+    assert act_at_midstep(problem, acted, middle, turn) == 0.0
 
 
 def test_motions_of_a_body_differ_by_the_velocity_at_an_arm() -> None:

@@ -17,6 +17,7 @@ from vv.engines.rigid.general.model import Space
 from vv.engines.rigid.general.setting import State
 from vv.engines.rigid.limits import NEARLY
 from vv.engines.rigid.slip import least_slip_speed
+from vv.engines.rigid.solver.cone import Problem
 from vv.scene import Contact, Scene
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -70,8 +71,8 @@ def judged(
     friction = rubbing(3, slides=False)._replace(d=sliding)
     nothing: Any = None
     return step.solved(
-        setting, 0.0, SPAN, joints, joints, np.zeros((6, 3)), bodies, friction, nothing, p,
-        step.Gaps(**{**known, **gaps}), v, w, v, w, 1e-9,
+        setting, 0.0, SPAN, Problem(joints, bodies, friction, p, v, w), joints, np.zeros((6, 3)),
+        nothing, step.Gaps(**{**known, **gaps}), v, w, 1e-9,
     )  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.slip import bend
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
-from vv.engines.rigid.solver.cone import Friction
+from vv.engines.rigid.solver.cone import Friction, Problem
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -20,10 +20,11 @@ ALIKE = 1e-7  # sine of the angle below which two normals are the same
 
 @called
 def set_turns(
-    setting: Setting, now: float, span: float, joints: Joints, bodies: Bodies,
-    friction: Friction, p: Vector, v_old: Vector, w_old: Vector, v: Vector, w: Vector,
-) -> bool:  # fmt: skip
+    setting: Setting, now: float, span: float, problem: Problem, v_old: Vector, w_old: Vector
+) -> bool:
     """Set friction.turn (see `bend`) from the present velocities; return whether any is nonzero."""
+    joints, bodies, friction = problem.joints, problem.bodies, problem.friction
+    p, v, w = problem.p, problem.v, problem.w
     there, dv, dw = False, zero_rows(len(v)), zero_rows(len(w))
     add_friction(joints, bodies, friction, p, dv, dw)
     for c in range(len(p)):

@@ -8,22 +8,17 @@ from vv.engines.rigid.general.few import Limits, solve_few
 from vv.engines.rigid.general.many import solve_many_at
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.limits import SMALL
-from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction
-from vv.scene import Vector
+from vv.engines.rigid.solver.cone import Problem
 
 
 @called
 def converged(
-    setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
-) -> tuple[int, float]:  # fmt: skip
+    setting: Setting, problem: Problem, fewest: int, tolerance: float
+) -> tuple[int, float]:
     """Solve contacts as `solve_few`, whether blocks are few or many."""
     limits = Limits(len(setting.mass), setting.tolerance, setting.most)
     if limits.blocks <= SMALL:
-        return solve_few(limits, joints, bodies, friction, p, v, w, fewest, tolerance)
+        return solve_few(limits, problem, fewest, tolerance)
     left = numbers(1)
-    sweeps = solve_many_at(
-        setting.solver, left, limits, joints, bodies, friction, p, v, w, fewest, tolerance
-    )
+    sweeps = solve_many_at(setting.solver, left, limits, problem, fewest, tolerance)
     return sweeps, left[0]

@@ -21,8 +21,8 @@ from vv.engines.rigid.limits import (
     STALLED,
     STIFF,
 )
-from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
-from vv.engines.rigid.solver.cone import Friction, copy_rows, residual, solve_contacts
+from vv.engines.rigid.solver.assembly import apply_nonzero
+from vv.engines.rigid.solver.cone import Problem, copy_rows, residual, solve_contacts
 from vv.engines.rigid.solver.newton import newton_round
 from vv.scene import Vector
 
@@ -39,24 +39,19 @@ class Limits(NamedTuple):
 
 
 @called
-def solve_few(
-    limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
-) -> tuple[int, float]:  # fmt: skip
-    """Iterate impulses p (c, 3) [N s] until the residual is at most `tolerance` [m/s].
+def solve_few(limits: Limits, problem: Problem, fewest: int, tolerance: float) -> tuple[int, float]:
+    """Iterate impulses until the residual is at most `tolerance` [m/s].
 
-    v, w: (b, 3) velocities that include the effect of p. Returns the number of sweeps and the
-    residual.
+    Returns the number of sweeps and the residual.
     """
     place = in_order(limits.blocks)
-    return solve_chained(limits, joints, bodies, friction, p, v, w, fewest, tolerance, place)
+    return solve_chained(limits, problem, fewest, tolerance, place)
 
 
 @called
 def solve_chained(
-    limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float, place: Index,
-) -> tuple[int, float]:  # fmt: skip
+    limits: Limits, problem: Problem, fewest: int, tolerance: float, place: Index
+) -> tuple[int, float]:
     """Solve as `solve_few`, for few blocks or a chain, by sweeps and Newton steps in turn.
 
     Newton steps are cheap there. They continue beyond the residual asked, since residuals add up
@@ -64,27 +59,26 @@ def solve_chained(
     """
     small, sweeps, left = limits.blocks <= SMALL, 0 * fewest, np.inf
     finer = (SHINED if small else POLISHED) * tolerance
-    free_v, free_w = velocities_without(p, joints, bodies, v, w)
+    free_v, free_w = velocities_without(problem)
     while sweeps < limits.most and left > tolerance:
         if not small and sweeps >= ENOUGH and left <= limits.tolerance:
             break
         few = smaller(STALLED, limits.most - sweeps)
-        more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        more, left = solve_contacts(problem, tolerance, fewest, few)
         sweeps += more
         if left > tolerance:
-            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
+            left = recomputed(problem, free_v, free_w)
         if left > tolerance:
-            left = polish(p, joints, bodies, friction, v, w, finer, left, place, STIFF)
+            left = polish(problem, finer, left, place, STIFF)
         if more == 0:
             break
     return sweeps, left
 
 
 @called
-def velocities_without(
-    p: Vector, joints: Joints, bodies: Bodies, v: Vector, w: Vector
-) -> tuple[Vector, Vector]:
-    """The velocities and spins (b, 3) without the impulses p (c, 3), whose effect is in v, w."""
+def velocities_without(problem: Problem) -> tuple[Vector, Vector]:
+    """The velocities and spins (b, 3) without the present impulses, whose effect is in v, w."""
+    p, v, w, joints, bodies = problem.p, problem.v, problem.w, problem.joints, problem.bodies
     free_v, free_w = same_rows(v, len(v)), same_rows(w, len(w))
     for c in range(len(p)):
         apply_nonzero(joints, c, bodies, free_v, free_w, add_scaled(ZERO, -1.0, at(p, c)))
@@ -92,15 +86,14 @@ def velocities_without(
 
 
 @lent
-def recomputed(
-    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    free_v: Vector, free_w: Vector,
-) -> float:  # fmt: skip
+def recomputed(problem: Problem, free_v: Vector, free_w: Vector) -> float:
     """Recompute v, w from the velocities without contact and the impulses p; return the residual.
 
     Each sweep adds its rounding to the velocities. In a narrow groove, where impulses over mass
     are 1e6 times the resulting velocity, the rounding would exceed the residual asked.
     """
+    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
+    v, w = problem.v, problem.w
     copy_rows(v, free_v)
     copy_rows(w, free_w)
     for c in range(len(p)):
@@ -110,15 +103,16 @@ def recomputed(
 
 @called
 def polish(
-    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, left: float, place: Index, stiffness: float,
-) -> float:  # fmt: skip
-    """Improve p (c, 3), whose effect is in v, w, by Newton rounds; return the residual [m/s].
+    problem: Problem, tolerance: float, left: float, place: Index, stiffness: float
+) -> float:
+    """Improve impulses by Newton rounds; return the residual [m/s].
 
     left: the residual at the start; place: see `band_ordering`; stiffness: of the first round. A
     round that increases the residual by more than rounding is undone, and the next one is less
     stiff. In a narrow groove the first rounds change less than rounding, and stiffer ones solve it.
     """
+    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
+    v, w = problem.v, problem.w
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     rounding = 0.0
     for c in range(len(p)):
@@ -130,7 +124,7 @@ def polish(
         copy_rows(before, p)
         copy_rows(before_v, v)
         copy_rows(before_w, w)
-        met = newton_round(p, before, joints, bodies, friction, v, w, tolerance, stiffness, place)
+        met = newton_round(problem, before, tolerance, stiffness, place)
         for c in range(len(p)):
             apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)

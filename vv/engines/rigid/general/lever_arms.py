@@ -12,7 +12,8 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import larger, rows, zero_rows
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
-from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
+from vv.engines.rigid.solver.assembly import Joints, apply_nonzero
+from vv.engines.rigid.solver.cone import Problem
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -51,15 +52,13 @@ def turned_back(turn: Vector, c: int, p: Triple) -> Triple:
 
 
 @lent
-def act_at_midstep(
-    p: Vector, acted: Vector, joints: Joints, middle: Joints, turn: Vector,
-    bodies: Bodies, v: Vector, w: Vector,
-) -> float:  # fmt: skip
-    """Update v, w (b, 3) so that the impulses p (c, 3) act at mid-step, and set `acted` to p.
+def act_at_midstep(problem: Problem, acted: Vector, middle: Joints, turn: Vector) -> float:
+    """Update v, w so that the impulses p (c, 3) act at mid-step, and set `acted` to p.
 
     Before, `acted` acts at mid-step and p - acted at the end of the step. Returns the largest
     change of a body's velocity at a contact [m/s].
     """
+    p, joints, bodies, v, w = problem.p, problem.joints, problem.bodies, problem.v, problem.w
     worst = 0.0
     for c in range(len(p)):
         change = add_scaled(at(p, c), -1.0, at(acted, c))

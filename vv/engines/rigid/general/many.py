@@ -29,7 +29,7 @@ from vv.engines.rigid.limits import (
 )
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering
-from vv.engines.rigid.solver.cone import Friction, copy_rows, solve_contacts
+from vv.engines.rigid.solver.cone import Friction, Problem, copy_rows, solve_contacts
 from vv.engines.rigid.solver.drift import leap_sweeps
 from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.engines.rigid.solver.rounds import newton_rounds
@@ -42,7 +42,7 @@ def examples() -> tuple[Any, ...]:
     which = np.zeros(1, np.int64)
     joints = Joints(which, which, rows, rows, rows, rows, one, one)
     bodies, friction = Bodies(square, square, rows), Friction(0.0, one, rows, rows)
-    return one, Limits(0, 0.0, 0), joints, bodies, friction, rows, rows, rows, 0, 0.0
+    return one, Limits(0, 0.0, 0), Problem(joints, bodies, friction, rows, rows, rows), 0, 0.0
 
 
 def address() -> int:
@@ -52,62 +52,56 @@ def address() -> int:
 
 @addressed(examples)
 def solve_many_at(
-    address: int, left: Vector, limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
-) -> int:  # fmt: skip
+    address: int, left: Vector, limits: Limits, problem: Problem, fewest: int, tolerance: float
+) -> int:
     """`solve_many`, whose address is given."""
-    return solve_many(left, limits, joints, bodies, friction, p, v, w, fewest, tolerance)
+    return solve_many(left, limits, problem, fewest, tolerance)
 
 
 @compiled_to_branch
 def solve_many(
-    left: Vector, limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
-) -> int:  # fmt: skip
+    left: Vector, limits: Limits, problem: Problem, fewest: int, tolerance: float
+) -> int:
     """Solve as `solve_few`; return the number of sweeps, and the residual [m/s] in left (1,)."""
-    sweeps, left[0] = solve_or_retry(limits, joints, bodies, friction, p, v, w, fewest, tolerance)
+    sweeps, left[0] = solve_or_retry(limits, problem, fewest, tolerance)
     return sweeps
 
 
 @called
 def solve_or_retry(
-    limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
-) -> tuple[int, float]:  # fmt: skip
+    limits: Limits, problem: Problem, fewest: int, tolerance: float
+) -> tuple[int, float]:
     """Solve as `solve_few`, blocks that form no chain by sweeps with leaps.
 
     If these do not reach the limit of the residual, the solution is started again without leaps. If
     that fails, too, Newton rounds are tried, from the same impulses, from none and from the best so
     far, which is kept otherwise.
     """
-    place, apart = band_ordering(joints, bodies, limits.blocks)
+    p, v, w = problem.p, problem.v, problem.w
+    place, apart = band_ordering(problem.joints, problem.bodies, limits.blocks)
     if apart <= CHAIN:
-        return solve_chained(limits, joints, bodies, friction, p, v, w, fewest, tolerance, place)
+        return solve_chained(limits, problem, fewest, tolerance, place)
     start, start_v, start_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
-    sweeps, left = solve_with_leaps(
-        limits, joints, bodies, friction, p, v, w, fewest, tolerance, place
-    )
+    sweeps, left = solve_with_leaps(limits, problem, fewest, tolerance, place)
     if left <= limits.tolerance:
         return sweeps, left
     best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
     copy_rows(p, start)
     copy_rows(v, start_v)
     copy_rows(w, start_w)
-    more, other = solve_in_turns(
-        limits, joints, bodies, friction, p, v, w, fewest, tolerance, place
-    )
+    more, other = solve_in_turns(limits, problem, fewest, tolerance, place)
     if other <= left:
         left = other
         copy_rows(best, p)
         copy_rows(best_v, v)
         copy_rows(best_w, w)
     for anew in range(3 if left > limits.tolerance else 0):
-        free_v, free_w = velocities_without(p, joints, bodies, v, w)
+        free_v, free_w = velocities_without(problem)
         copy_rows(p, best if anew == 2 else start)
         if anew == 1:
             clear(p)
-        recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
-        last = newton_rounds(p, joints, bodies, friction, v, w, limits.tolerance, place)
+        recomputed(problem, free_v, free_w)
+        last = newton_rounds(problem, limits.tolerance, place)
         if last <= limits.tolerance:
             return sweeps + more, last
     copy_rows(p, best)
@@ -118,38 +112,36 @@ def solve_or_retry(
 
 @called
 def solve_with_leaps(
-    limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float, place: Index,
-) -> tuple[int, float]:  # fmt: skip
+    limits: Limits, problem: Problem, fewest: int, tolerance: float, place: Index
+) -> tuple[int, float]:
     """Solve by sweeps with leaps, as `solve_or_retry`.
 
     If they are stuck, the solution is started again, once, from zero impulses if the residual is
     far above that asked; otherwise Newton steps are taken.
     """
     sweeps, left, anew, more = 0 * fewest, np.inf, False, 1
-    free_v, free_w = velocities_without(p, joints, bodies, v, w)
+    free_v, free_w = velocities_without(problem)
     while sweeps < LEAPT and left > tolerance and more > 0:
         if sweeps >= ENOUGH and left <= limits.tolerance:
             break
         few = smaller(STUCK, LEAPT - sweeps)
-        more, left = leap_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        more, left = leap_sweeps(problem, tolerance, fewest, few)
         sweeps += more
         if left > tolerance:
-            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
+            left = recomputed(problem, free_v, free_w)
         if left > FAR * limits.tolerance and not anew:
-            clear(p)
-            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
+            clear(problem.p)
+            left = recomputed(problem, free_v, free_w)
             anew = True
         elif left > limits.tolerance:
-            left = polish(p, joints, bodies, friction, v, w, tolerance, left, place, SOFT)
+            left = polish(problem, tolerance, left, place, SOFT)
     return sweeps, left
 
 
 @called
 def solve_in_turns(
-    limits: Limits, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float, place: Index,
-) -> tuple[int, float]:  # fmt: skip
+    limits: Limits, problem: Problem, fewest: int, tolerance: float, place: Index
+) -> tuple[int, float]:
     """Solve as `solve_or_retry`, by sweeps with momentum and sweeps of conjugate gradients in turn.
 
     Where blocks are wedged, the former may diverge and the latter be slow, and each continues from
@@ -157,23 +149,23 @@ def solve_in_turns(
     impulses if the residual is far above that asked; otherwise Newton steps are taken.
     """
     sweeps, left, carries, anew, more = 0 * fewest, np.inf, True, False, 1
-    free_v, free_w = velocities_without(p, joints, bodies, v, w)
+    free_v, free_w = velocities_without(problem)
     while sweeps < limits.most and left > tolerance and more > 0:
         if sweeps >= ENOUGH and left <= limits.tolerance:
             break
         few = smaller(CARRIED if carries else STEADIED, limits.most - sweeps)
         if carries:
-            more, left = momentum_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+            more, left = momentum_sweeps(problem, tolerance, fewest, few)
         else:
-            more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+            more, left = solve_contacts(problem, tolerance, fewest, few)
         sweeps, carries = sweeps + more, not carries
         if left > tolerance:
-            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
+            left = recomputed(problem, free_v, free_w)
         stuck = sweeps >= STUCK and left > limits.tolerance
         if stuck and not anew and left > FAR * limits.tolerance:
-            clear(p)
-            left = recomputed(p, joints, bodies, friction, v, w, free_v, free_w)
+            clear(problem.p)
+            left = recomputed(problem, free_v, free_w)
             anew, carries = True, True
         elif stuck:
-            left = polish(p, joints, bodies, friction, v, w, tolerance, left, place, SOFT)
+            left = polish(problem, tolerance, left, place, SOFT)
     return sweeps, left

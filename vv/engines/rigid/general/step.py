@@ -42,7 +42,7 @@ from vv.engines.rigid.general.setting import (
 from vv.engines.rigid.limits import NEARLY, SMALL, UNHINTED
 from vv.engines.rigid.slip import least_slip_speed
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, assemble, relative
-from vv.engines.rigid.solver.cone import Friction
+from vv.engines.rigid.solver.cone import Friction, Problem
 from vv.scene import Mask, Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -182,26 +182,27 @@ def attempt(
     if n > SMALL and len(past.key) == 0:
         tolerance *= UNHINTED
     return solved(
-        setting, now, span, joints, middle, turn, bodies, friction, same_counts(found.key, count),
-        p, Gaps(gap, slack, opens, known), v_old, w_old, v, w, tolerance,
+        setting, now, span, Problem(joints, bodies, friction, p, v, w), middle, turn,
+        same_counts(found.key, count), Gaps(gap, slack, opens, known), v_old, w_old, tolerance,
     )  # fmt: skip
 
 
 @called
 def solved(
-    setting: Setting, now: float, span: float, joints: Joints, middle: Joints, turn: Vector,
-    bodies: Bodies, friction: Friction, key: Index, p: Vector, gaps: Gaps,
-    v_old: Vector, w_old: Vector, v: Vector, w: Vector, tolerance: float,
+    setting: Setting, now: float, span: float, problem: Problem, middle: Joints, turn: Vector,
+    key: Index, gaps: Gaps, v_old: Vector, w_old: Vector, tolerance: float,
 ) -> Trial:  # fmt: skip
     """Solve the contacts of a trial; the direction of friction follows the resulting slip.
 
-    It is one function since half of its lines are arguments and results.
+    It is one function, of many parameters, since a trial holds most of them.
     """
+    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
+    v, w = problem.v, problem.w
     count, acted = len(p), zero_rows(len(p))
     for c in range(count):
         apply_nonzero(joints, c, bodies, v, w, at(p, c))
-    act_at_midstep(p, acted, joints, middle, turn, bodies, v, w)
-    sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest, tolerance)
+    act_at_midstep(problem, acted, middle, turn)
+    sweeps, left = converged(setting, problem, setting.fewest, tolerance)
     begun, ended = unmarked(count), unmarked(count)
     any_ended, least = False, least_slip_speed(span, setting.pull, setting.tolerance)
     most = larger(least, NEARLY * setting.pull * span)
@@ -215,12 +216,12 @@ def solved(
             ended[c] = slips and dot(u, d) <= least
             any_ended = any_ended or ended[c]
     for _ in range(0 if any_ended else setting.bends):
-        turns = set_turns(setting, now, span, joints, bodies, friction, p, v_old, w_old, v, w)
-        moved = act_at_midstep(p, acted, joints, middle, turn, bodies, v, w)
+        turns = set_turns(setting, now, span, problem, v_old, w_old)
+        moved = act_at_midstep(problem, acted, middle, turn)
         if not turns and moved <= tolerance:
             break
         few = 0 * sweeps  # numba would compile the solver once more for a literal 0
-        more, left = converged(setting, joints, bodies, friction, p, v, w, few, tolerance)
+        more, left = converged(setting, problem, few, tolerance)
         sweeps += more
         if more == 0:
             break

@@ -32,6 +32,18 @@ class Friction(NamedTuple):
     turn: Vector
 
 
+@bundle
+class Problem(NamedTuple):
+    """Contacts to be solved: impulses p (c, 3) [N s] are sought, whose effect is in v, w (b, 3)."""
+
+    joints: Joints
+    bodies: Bodies
+    friction: Friction
+    p: Vector
+    v: Vector
+    w: Vector
+
+
 @inlined
 def limit(cap: float, d: Triple, turn: Triple) -> tuple[Triple, float]:
     """Centre and radius [N s] of the disc of tangential impulses at a normal impulse cap/mu."""
@@ -112,15 +124,14 @@ def residual(p: Vector, joints: Joints, friction: Friction, v: Vector, w: Vector
 
 
 @called
-def solve_contacts(
-    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, fewest: int, most: int,
-) -> tuple[int, float]:  # fmt: skip
-    """Iterate p (c, 3), whose effect is in v, w, until the residual is at most `tolerance` [m/s].
+def solve_contacts(problem: Problem, tolerance: float, fewest: int, most: int) -> tuple[int, float]:
+    """Iterate impulses until the residual is at most `tolerance` [m/s].
 
     At least `fewest` sweeps are made, unless the residual is zero. Returns the number of sweeps and
     the residual, which exceeds the tolerance if `most` sweeps were not enough.
     """
+    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
+    v, w = problem.v, problem.w
     direction, before = zero_rows(len(p)), rows(len(p))
     direction_v, before_v, direction_w, before_w = (
         zero_rows(len(v)),

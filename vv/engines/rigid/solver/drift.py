@@ -13,8 +13,8 @@ import numpy as np
 from vv.engines.kernels.arrays import rows, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
-from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero
-from vv.engines.rigid.solver.cone import Friction, copy_rows, limit
+from vv.engines.rigid.solver.assembly import apply_nonzero
+from vv.engines.rigid.solver.cone import Problem, copy_rows, limit
 from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.scene import Vector
 
@@ -24,13 +24,11 @@ WORSE = 2.0  # largest ratio of the residual after a leap to the least one so fa
 
 
 @called
-def leap_sweeps(
-    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, fewest: int, most: int,
-) -> tuple[int, float]:  # fmt: skip
-    """Iterate p (c, 3) with leaps; arguments and results are those of `momentum_sweeps`."""
+def leap_sweeps(problem: Problem, tolerance: float, fewest: int, most: int) -> tuple[int, float]:
+    """Iterate impulses with leaps; arguments and results are those of `momentum_sweeps`."""
+    p, v, w = problem.p, problem.v, problem.w
     few = smaller(CARRIED, most)
-    sweeps, left = momentum_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+    sweeps, left = momentum_sweeps(problem, tolerance, fewest, few)
     before, here, here_v, here_w = rows(len(p)), rows(len(p)), rows(len(v)), rows(len(w))
     ahead, least = AHEAD, left
     for part in range(1, 2 + 2 * most // WATCHED):
@@ -40,13 +38,13 @@ def leap_sweeps(
         if watching:
             copy_rows(before, p)
         few = smaller(WATCHED if watching else SETTLED, most - sweeps)
-        more, now = momentum_sweeps(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        more, now = momentum_sweeps(problem, tolerance, fewest, few)
         sweeps += more
         if watching and now > tolerance:
             copy_rows(here, p)
             copy_rows(here_v, v)
             copy_rows(here_w, w)
-            leap(p, before, joints, bodies, friction, v, w, ahead)
+            leap(problem, before, ahead)
         elif now > WORSE * least:
             copy_rows(p, here)
             copy_rows(v, here_v)
@@ -60,11 +58,10 @@ def leap_sweeps(
 
 
 @lent
-def leap(
-    p: Vector, before: Vector, joints: Joints, bodies: Bodies, friction: Friction,
-    v: Vector, w: Vector, ahead: float,
-) -> None:  # fmt: skip
-    """Extrapolate p (c, 3) by `ahead` times its change since `before`, within friction limits."""
+def leap(problem: Problem, before: Vector, ahead: float) -> None:
+    """Extrapolate impulses by `ahead` times their change since `before`, within friction limits."""
+    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
+    v, w = problem.v, problem.w
     for c in range(len(p)):
         if joints.across[c] <= 0.0:
             continue

@@ -12,9 +12,8 @@ import numpy as np
 
 from vv.engines.kernels.arrays import larger, smaller, table
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
-from vv.engines.rigid.solver.cone import Friction, residual
+from vv.engines.rigid.solver.cone import Problem, residual
 from vv.engines.rigid.solver.lanes import sweep_batches
 from vv.scene import Vector
 
@@ -27,15 +26,16 @@ LOWERED, RAISED = 1.6, 0.75  # factors on 1 - cap in these two cases
 
 @called
 def momentum_sweeps(
-    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, fewest: int, most: int,
-) -> tuple[int, float]:  # fmt: skip
-    """Iterate p (c, 3), whose effect is in v, w, until the residual is at most `tolerance` [m/s].
+    problem: Problem, tolerance: float, fewest: int, most: int
+) -> tuple[int, float]:
+    """Iterate impulses until the residual is at most `tolerance` [m/s].
 
     At least `fewest` sweeps are made, unless the residual is zero. Returns the number of sweeps and
     the residual, which exceeds the tolerance if `most` sweeps were not enough. It is one function
     since the weight of momentum depends on all sweeps before.
     """
+    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
+    v, w = problem.v, problem.w
     batches, layers, place = packed(p, joints, bodies, friction)
     pairs = pairs_room(1)
     now, last = joined(v, w), joined(v, w)

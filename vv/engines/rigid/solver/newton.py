@@ -27,7 +27,7 @@ from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
 from vv.engines.rigid.solver.banded import eliminate, equation_numbers, half_width
-from vv.engines.rigid.solver.cone import Friction, copy_rows, limit
+from vv.engines.rigid.solver.cone import Friction, Problem, copy_rows, limit
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -128,15 +128,16 @@ def add_stiffness(
 
 @called
 def newton_round(
-    p: Vector, q: Vector, joints: Joints, bodies: Bodies, friction: Friction,
-    v: Vector, w: Vector, tolerance: float, stiffness: float, place: Index,
-) -> bool:  # fmt: skip
-    """Fill p (c, 3) with the impulses after a round from q (c, 3), whose effect is in v, w (b, 3).
+    problem: Problem, q: Vector, tolerance: float, stiffness: float, place: Index
+) -> bool:
+    """Fill p with the impulses after a round from q (c, 3), whose effect is in v, w.
 
     Returns whether the iteration converged: no velocity changed by more than a tenth of the
     tolerance [m/s] in the last step. place: see `band_ordering`. It is one function since assembly,
     solution and update share its arrays.
     """
+    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
+    v, w = problem.v, problem.w
     blocks = len(place)
     rows_of, m = equation_numbers(bodies, place)
     half, lever = half_width(joints, rows_of, blocks), longest_arms(joints, blocks)

@@ -16,7 +16,7 @@ from tests.engines.rigid.by_hand.solver.test_sweeps import rubbing
 from vv.engines.rigid.general import converge, few, many
 from vv.engines.rigid.limits import BLURRED, CHAIN, FIRMEST, OUTER, ROUNDS, SMALL, SOFT, SOFTEST
 from vv.engines.rigid.solver import rounds
-from vv.engines.rigid.solver.cone import residual
+from vv.engines.rigid.solver.cone import Problem, residual
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -30,10 +30,10 @@ def test_velocities_are_parted_from_impulses_and_joined_with_them() -> None:
     p[2] = 0.0
     given = np.concatenate([v.ravel(), w.ravel()])
     effect = sum(mobility(bodies) @ jacobian(joints, c).T @ p[c] for c in range(6))
-    free_v, free_w = few.velocities_without(p, joints, bodies, v, w)
+    free_v, free_w = few.velocities_without(Problem(joints, bodies, rubbing(1), p, v, w))
     assert np.concatenate([free_v.ravel(), free_w.ravel()]) == pytest.approx(given - effect)
     again_v, again_w = np.full((2, 4, 3), np.nan)
-    left = few.recomputed(p, joints, bodies, rubbing(1), again_v, again_w, free_v, free_w)
+    left = few.recomputed(Problem(joints, bodies, rubbing(1), p, again_v, again_w), free_v, free_w)
     assert again_v == pytest.approx(v)
     assert again_w == pytest.approx(w)
     assert left == pytest.approx(residual(p, joints, rubbing(1), v, w))
@@ -55,8 +55,12 @@ class Rounds:
         self.joints = SimpleNamespace(across=np.array([1.0, 3.0]))
         patch.setattr(where, "apply_nonzero", self._applied)
         self.v, self.w = np.zeros((2, 3)), np.zeros((2, 3))
+        nothing: Any = None
+        joints: Any = self.joints
+        self.problem = Problem(joints, nothing, nothing, self.p, self.v, self.w)
 
-    def _round(self, p: Vector, q: Vector, *given: Any) -> bool:
+    def _round(self, problem: Problem, q: Vector, *given: Any) -> bool:
+        p = problem.p
         self.stiff.append(given[-2])
         self.begun.append(float(p[0, 0]))
         self._now = next(self._left)
@@ -71,10 +75,7 @@ class Rounds:
 def polished(told: Rounds, left: float, stiffness: float) -> float:
     """Polish from a residual."""
     nothing: Any = None
-    joints: Any = told.joints
-    return few.polish(
-        told.p, joints, nothing, nothing, told.v, told.w, ASKED, left, nothing, stiffness
-    )
+    return few.polish(told.problem, ASKED, left, nothing, stiffness)
 
 
 def test_rounds_stiffen_while_they_help_and_are_undone_if_not(
@@ -120,8 +121,7 @@ def test_a_round_that_adds_no_more_than_rounding_is_kept(
 def rounded(told: Rounds) -> float:
     """Newton rounds that go on where the residual grows."""
     nothing: Any = None
-    joints: Any = told.joints
-    return rounds.newton_rounds(told.p, joints, nothing, nothing, told.v, told.w, ASKED, nothing)
+    return rounds.newton_rounds(told.problem, ASKED, nothing)
 
 
 def test_rounds_go_on_where_the_residual_grows_up_to_a_stiffness(
@@ -162,30 +162,29 @@ def told_by(
 
     def method(name: str, sweeps: int, more: float, residual: float) -> Any:
         def solve(*given: Any) -> tuple[int, float]:
-            said.append((name, float(given[4][0, 0])))
-            given[4][:] += more
+            said.append((name, float(given[1].p[0, 0])))
+            given[1].p[:] += more
             return sweeps, residual
 
         return solve
 
-    def newton(p: Vector, *given: Any) -> float:
-        said.append(("newton", float(p[0, 0])))
-        p += 100.0
+    def newton(problem: Problem, *given: Any) -> float:
+        said.append(("newton", float(problem.p[0, 0])))
+        problem.p[:] += 100.0
         return next(left)
 
     monkeypatch.setattr(many, "band_ordering", lambda *_: (None, apart))
     monkeypatch.setattr(many, "solve_with_leaps", method("leaps", 7, 1.0, leaps))
     monkeypatch.setattr(many, "solve_in_turns", method("turns", 20, 10.0, turns))
     monkeypatch.setattr(many, "solve_chained", method("chained", 30, 1000.0, 9.0))
-    monkeypatch.setattr(many, "velocities_without", lambda p, j, b, v, w: (v, w))
+    monkeypatch.setattr(many, "velocities_without", lambda given: (given.v, given.w))
     monkeypatch.setattr(many, "recomputed", lambda *_: 0.0)
     monkeypatch.setattr(many, "newton_rounds", newton)
     limits = few.Limits(SMALL + 1, ASKED, 20_000)
     p = np.full((2, 3), 0.5)
     nothing: Any = None
-    result = many.solve_or_retry(
-        limits, nothing, nothing, nothing, p, p.copy(), p.copy(), 1, 0.1 * ASKED
-    )
+    problem = Problem(nothing, nothing, nothing, p, p.copy(), p.copy())
+    result = many.solve_or_retry(limits, problem, 1, 0.1 * ASKED)
     return said, result, p
 
 
@@ -206,9 +205,7 @@ def test_contacts_of_many_blocks_are_solved_at_the_address_given(
     monkeypatch.setattr(converge, "solve_many_at", solve_many_at)
     setting: Any = SimpleNamespace(mass=np.ones(blocks), tolerance=ASKED, most=40, solver=2)
     nothing: Any = None
-    found = converge.converged(
-        setting, nothing, nothing, nothing, nothing, nothing, nothing, 0, ASKED
-    )
+    found = converge.converged(setting, nothing, 0, ASKED)
     assert found == (blocks, ASKED if blocks <= SMALL else 42)
 
 

@@ -10,6 +10,7 @@ import pytest
 from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from tests.engines.rigid.by_hand.solver.test_sweeps import MU, disc, nearest, rubbing
 from vv.engines.rigid.solver import drift
+from vv.engines.rigid.solver.cone import Problem
 from vv.engines.rigid.solver.drift import (
     AHEAD,
     CARRIED,
@@ -41,7 +42,7 @@ def test_a_leap_extrapolates_impulses_within_friction(seed: int) -> None:
         limits = disc(MU * normal, friction.d[c], friction.turn[c])
         due[c] = (nearest(on - on @ n * n, *limits) + normal * n) if normal else 0.0
         both = both + mobility(bodies) @ jacobian(joints, c).T @ (due[c] - p[c])
-    leap(p, before, joints, bodies, friction, v, w, 1.7)
+    leap(Problem(joints, bodies, friction, p, v, w), before, 1.7)
     assert p == pytest.approx(due)
     assert np.concatenate([v.ravel(), w.ravel()]) == pytest.approx(both)
     assert not due[1].any()
@@ -55,20 +56,20 @@ def leapt(
     ahead: list[float] = []
     rest = iter(left)
 
-    def swept(p: Vector, *given: Any) -> tuple[int, float]:
+    def swept(problem: Problem, *given: Any) -> tuple[int, float]:
         few.append(given[-1])
-        p += 1.0
+        problem.p[:] += 1.0
         return given[-1], next(rest)
 
-    def jumped(p: Vector, before: Vector, *given: Any) -> None:
-        ahead.append(given[-1] * float(p[0, 0] - before[0, 0]))
-        p += 1000.0
+    def jumped(problem: Problem, before: Vector, far: float) -> None:
+        ahead.append(far * float(problem.p[0, 0] - before[0, 0]))
+        problem.p[:] += 1000.0
 
     monkeypatch.setattr(drift, "momentum_sweeps", swept)
     monkeypatch.setattr(drift, "leap", jumped)
     p, v = np.zeros((2, 3)), np.zeros((2, 3))
     nothing: Any = None
-    found = leap_sweeps(p, nothing, nothing, nothing, v, v.copy(), ASKED, 0, most)
+    found = leap_sweeps(Problem(nothing, nothing, nothing, p, v, v.copy()), ASKED, 0, most)
     return few, ahead, found, float(p[0, 0])
 
 

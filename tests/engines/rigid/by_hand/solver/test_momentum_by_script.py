@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from vv.engines.rigid.solver import momentum
+from vv.engines.rigid.solver.cone import Problem
 from vv.engines.rigid.solver.momentum import (
     CAP,
     GREW,
@@ -63,8 +64,8 @@ class Scripted:
 
     def run(self, tolerance: float, fewest: int, most: int) -> tuple[int, float]:
         """Iterate."""
-        given: Any = (*[None] * 6, tolerance, fewest, most)
-        return momentum_sweeps(*given)
+        nothing: Any = [None] * 6
+        return momentum_sweeps(Problem(*nothing), tolerance, fewest, most)
 
 
 def nesterov(count: int, caps: Any) -> list[float]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -14,11 +12,10 @@ from vv.engines.blocks.contacts import Contacts
 from vv.engines.rigid.general.few import polish
 from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, assemble
-from vv.engines.rigid.solver.cone import residual
+from vv.engines.rigid.solver.cone import Problem, residual
 from vv.engines.rigid.solver.newton import newton_round
 from vv.engines.rigid.solver.rounds import newton_rounds
 from vv.engines.rigid.solver.seats import DEPTH, LANES, runs, seated
-from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
 
@@ -71,31 +68,30 @@ def test_a_batch_that_is_full_is_followed_by_another() -> None:
     assert depth.tolist() == [1, 1, 1]
 
 
-def pressed(seed: int) -> tuple[Any, ...]:
+def pressed(seed: int) -> Problem:
     """Three blocks thrown at one another and a wall, with friction and no impulses yet."""
     joints, bodies = scattered(seed)
     friction = rubbing(seed, slides=False)
     v, w = np.random.default_rng(seed).normal(size=(2, 4, 3))
-    return np.zeros((6, 3)), joints, bodies, friction, v, w
+    return Problem(joints, bodies, friction, np.zeros((6, 3)), v, w)
 
 
-def at_contacts(p: Vector, given: Any) -> float:
+def at_contacts(given: Problem) -> float:
     """The residual."""
-    return residual(p, given[1], given[3], given[4], given[5])
+    return residual(given.p, given.joints, given.friction, given.v, given.w)
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_rounds_of_newton_steps_solve_contacts(seed: int) -> None:
     for way in ("polish", "rounds"):
-        given: Any = pressed(seed)
-        p, place = given[0], np.array([2, 0, 1])
-        left = at_contacts(p, given)
+        given, place = pressed(seed), np.array([2, 0, 1])
+        left = at_contacts(given)
         assert left > 0.1
-        args: Any = (*given, 1e-10, left, place, STIFF)
-        if way == "rounds":
-            args = (*given, 1e-10, place)
-        found = polish(*args) if way == "polish" else newton_rounds(*args)
-        assert found == pytest.approx(at_contacts(p, given), abs=1e-14)
+        if way == "polish":
+            found = polish(given, 1e-10, left, place, STIFF)
+        else:
+            found = newton_rounds(given, 1e-10, place)
+        assert found == pytest.approx(at_contacts(given), abs=1e-14)
         assert found <= 1e-10
 
 
@@ -104,16 +100,15 @@ def test_a_round_does_not_know_the_unit_of_length(unit: float) -> None:
     """Velocities, arms and needs in another unit give the impulses in that unit."""
     found = []
     for size in (1.0, unit):
-        p, joints, bodies, friction, v, w = pressed(1)
+        joints, bodies, friction, p, v, w = pressed(1)
         joints = joints._replace(
             arm_first=size * joints.arm_first, arm_second=size * joints.arm_second
         )
         bodies = bodies._replace(inverse_spin=bodies.inverse_spin / size**2)
         friction = friction._replace(need=size * friction.need)
         q = np.zeros((6, 3))
-        met = newton_round(
-            p, q, joints, bodies, friction, size * v, w, 1e-9 * size, 100.0, np.arange(3)
-        )
+        scaled = Problem(joints, bodies, friction, p, size * v, w)
+        met = newton_round(scaled, q, 1e-9 * size, 100.0, np.arange(3))
         assert met
         found.append(p / size)
     assert np.abs(found[0]).max() > 0.01
@@ -121,11 +116,9 @@ def test_a_round_does_not_know_the_unit_of_length(unit: float) -> None:
 
 
 def test_a_round_says_whether_it_converged() -> None:
-    p, joints, bodies, friction, v, w = pressed(2)
-    q = np.zeros((6, 3))
-    given = (p, q, joints, bodies, friction, v, w)
-    assert newton_round(*given, 1e-9, 100.0, np.arange(3))
-    assert not newton_round(*given, 0.0, 100.0, np.arange(3))
+    given, q = pressed(2), np.zeros((6, 3))
+    assert newton_round(given, q, 1e-9, 100.0, np.arange(3))
+    assert not newton_round(given, q, 0.0, 100.0, np.arange(3))
 
 
 def test_a_round_solves_a_chain_of_blocks() -> None:
@@ -144,7 +137,7 @@ def test_a_round_solves_a_chain_of_blocks() -> None:
     joints = assemble(found, blocks, bodies)
     v, w = random.normal(size=(2, blocks + 1, 3))
     p, friction = np.zeros((blocks, 3)), rubbing(3, slides=False)
-    left = newton_rounds(p, joints, bodies, friction, v, w, 1e-10, ends)
+    left = newton_rounds(Problem(joints, bodies, friction, p, v, w), 1e-10, ends)
     assert residual(p, joints, friction, v, w) == pytest.approx(left, abs=1e-14)
     assert left <= 1e-10
     assert (p != 0.0).any(1).sum() >= 3

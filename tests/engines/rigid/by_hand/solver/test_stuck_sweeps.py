@@ -25,6 +25,7 @@ from vv.engines.rigid.limits import (
     STIFF,
     STUCK,
 )
+from vv.engines.rigid.solver.cone import Problem
 
 pytestmark = pytest.mark.usefixtures("in_python")
 MET, ASKED = 1e-6, 1e-8  # m/s: the setting's tolerance, and that of the first step
@@ -48,7 +49,7 @@ class Stuck:
         )  # numbers of sweeps of methods that stop before they may
         self.p = np.ones((1, 3))
         for where in few, many:
-            patch.setattr(where, "velocities_without", lambda p, j, b, v, w: (v, w))
+            patch.setattr(where, "velocities_without", lambda given: (given.v, given.w))
             patch.setattr(where, "recomputed", lambda *_: self.left + self.blurs)
             patch.setattr(where, "polish", self._polish)
             patch.setattr(where, "solve_contacts", self._method("solve"))
@@ -59,14 +60,14 @@ class Stuck:
         def sweep(*given: Any) -> tuple[int, float]:
             few = next(self.stops, given[-1])
             self.left = next(self._sweeps)
-            self.tried.append((name, given[-1], bool(given[0].any())))
+            self.tried.append((name, given[-1], bool(given[0].p.any())))
             return few, self.left
 
         return sweep
 
     def _polish(self, *given: Any) -> float:
-        self.tried.append(("newton", given[-1], bool(given[0].any())))
-        self.aims.append(given[6])
+        self.tried.append(("newton", given[-1], bool(given[0].p.any())))
+        self.aims.append(given[1])
         self.left = next(self._rounds)
         return self.left
 
@@ -81,9 +82,9 @@ class Stuck:
         return solve(*self._given(blocks, most))
 
     def _given(self, blocks: int, most: int) -> Any:
-        nothing = None
-        velocities = self.p, self.p, 0, ASKED, nothing
-        return Limits(blocks, MET, most), nothing, nothing, nothing, self.p, *velocities
+        nothing: Any = None
+        problem = Problem(nothing, nothing, nothing, self.p, self.p, self.p)
+        return Limits(blocks, MET, most), problem, 0, ASKED, nothing
 
 
 def test_leaps_end_where_the_residual_is_met(monkeypatch: pytest.MonkeyPatch) -> None:

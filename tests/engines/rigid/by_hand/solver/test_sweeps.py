@@ -10,6 +10,7 @@ import pytest
 from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from vv.engines.rigid.solver.cone import (
     Friction,
+    Problem,
     change_of,
     follow_direction,
     limit,
@@ -183,11 +184,12 @@ def test_sweeps_go_on_until_the_residual_is_met_and_not_fewer(fewest: int) -> No
     given: dict[int, Any] = {}
     for most in (3, 500):
         p, (v, w) = np.zeros((6, 3)), falls.copy()
-        sweeps, left = solve_contacts(p, joints, bodies, friction, v, w, 1e-6, fewest, most)
+        problem = Problem(joints, bodies, friction, p, v, w)
+        sweeps, left = solve_contacts(problem, 1e-6, fewest, most)
         assert left == pytest.approx(residual(p, joints, friction, v, w))
         given[most] = sweeps, left
     assert given[3][0] == 3
     assert given[3][1] > 1e-6
     assert given[500][1] <= 1e-6
     assert max(fewest, 4) <= given[500][0] < 500
-    assert solve_contacts(p, joints, bodies, friction, v, w, 1e-5, 0, 9) == (0, given[500][1])
+    assert solve_contacts(problem, 1e-5, 0, 9) == (0, given[500][1])
