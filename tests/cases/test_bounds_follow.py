@@ -36,6 +36,7 @@ RIGHT = {
     "incline:two-way phi=76.6": "rigid/default",
     "bounce:held kn=1.41e10": "dem/default",
     "elastic-block:spun L=1.03 a=1.58 b=1.5 rho=3390 E=6.84e9 nu=0.202 spin=3.08": "dda/default",
+    "elastic-block:spun a=4.44 E=1.6e10 spin=1.67": "dda/default",
     "laden-block:level alpha=23.1 mu=0.417 v=3.04 push=0.344 press=2.01 a=0.968 D=0.025 g=13.1 "
     "duration=0.389": "dem/default",
     "oblique-impact:spun-alloy young=6.71e10 poisson=0.337 rho=2530 R=0.139 mu=0.526 v=0.231 "
