@@ -12,7 +12,7 @@ from vv.gate.judgement import Breach, breaches
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome, Verdict
 from vv.records.quantity import MeasuredQuantity
-from vv.records.reading import rung
+from vv.records.reading import rung, settings
 
 LONG = 60  # explanations longer than this appear once on a page
 LAWS = {  # law of a ledger -> description of its violation, before the number
@@ -98,6 +98,5 @@ def command(record: Record) -> str:
     at = rung(record)
     if at:
         words += ["--rung", at]
-    if record.modified:
-        words += [w for n, v in record.parameters.items() for w in ("--set", f"{n}={v:.12g}")]
+    words += [word for text in settings(record) for word in ("--set", text)]
     return shlex.join(words)

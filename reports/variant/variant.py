@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import shlex
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -30,7 +31,7 @@ from vv.insight.agreement import agreements
 from vv.output.gallery.scene_drawing import again, picture
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record
-from vv.records.reading import fineness
+from vv.records.reading import changed, fineness, settings
 from vv.records.recorded import RecordedResult
 from vv.scene.picture.sketch import Sketch
 
@@ -118,7 +119,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         scene=_scene(facts.sketch, slug(case, name), above),
         settings=_settings(book, case, own),
         modified=any(record.modified for record in own),
-        command=f"vv run {case}:{name}",
+        command=_command(place, own),
         outcomes=counted(own),
         ranked=rows,
         cheapest=cheapest(rows),
@@ -153,8 +154,16 @@ def _like(name: str, curves: list[History], own: Sequence[Record], above: Above)
     return like
 
 
+def _command(place: Place, own: Sequence[Record]) -> str:
+    """The command that runs the variant again, with the parameters that a user changed."""
+    texts = settings(own[0]) if own else []
+    return shlex.join(["vv", "run", ":".join(place), *(w for t in texts for w in ("--set", t))])
+
+
 def _settings(book: Book, case: str, own: Sequence[Record]) -> dict[str, float]:
-    """The parameters that differ from those of the case."""
+    """The parameters that a user changed; if there are none, those that differ from the case's."""
+    if own and own[0].modified:
+        return changed(own[0])
     usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
     given = own[0].parameters if own else {}
     return {key: value for key, value in given.items() if value != usual.get(key)}

@@ -110,6 +110,20 @@ def test_many_variants_are_counted_by_scheme(tmp_path: Path) -> None:
     many = [record("a/a", f"V{i}", 1e-3, quantities=good) for i in range(ROWS + 1)]
     lines = [line.split() for line in table(many, [])]
     assert ["a/a", str(ROWS + 1), "-", "-", "-", "-", str(ROWS + 1), "-", "1.0e-05"] in lines
+    assert not any("changed" in line for line in lines)
+    (*_, last) = table([changed(one, modified=True, changed=["m"]) for one in many], [])
+    assert last == "  (with changed parameters: m=1)"
+
+
+def test_a_table_of_changed_parameters_is_headed_by_what_was_changed_alone() -> None:
+    own = record("a/a", "T1", 1e-3, quantities=[entry("pass", {"max": 1e-5})])
+    wide = changed(own, parameters={"m": 2.0, "g": 9.81, "mu": 1 / 3})
+    heads = [
+        list(table([changed(wide, modified=True, changed=names)], []))[1]
+        for names in (["m"], ["mu", "m"])
+    ]
+    assert heads == ["bounce:T1 with m=2", "bounce:T1 with mu=0.3333333333333333, m=2"]
+    assert list(table([own], []))[1] == "bounce:T1"
 
 
 def test_findings_at_several_settings_are_one_line_with_the_command_that_shows_it() -> None:
@@ -123,9 +137,10 @@ def test_findings_at_several_settings_are_one_line_with_the_command_that_shows_i
         "red: bounce:T1 a/a dt=0.004 y: error 0.01 (and at 2 more settings)",
         "  again: vv run bounce:T1 --codes a/a --rung dt=0.004",
     ]
-    other = [changed(one, modified=True) for one in bad]
+    values = {"m": 1e9, "g": 9.81}
+    other = [changed(one, modified=True, parameters=values, changed=["m"]) for one in bad]
     (_, again) = finding_lines.lines(found, other, Level.PAPER)
-    assert again.endswith("--rung dt=0.004 --set m=1.0 --level paper")
+    assert again.endswith("--rung dt=0.004 --set m=1e+09 --level paper")
 
 
 def test_a_broken_law_is_told_with_the_number_beside_its_bound() -> None:

@@ -48,10 +48,12 @@ def test_each_column_has_the_number_of_its_own_field() -> None:
     """No two numbers are alike, so that a field in the place of another shows."""
     one = record(
         "a/b", "T1", None, rung={"dt": 2e-3, "kn": 3e8}, study="grid", steps=21, cost=COST,
-        modified=True, quantities=[SERIES, NUMBER], reason="so it is", method="penalty",
+        modified=True, changed=["mu", "m"], parameters={"m": 2.0, "g": 9.81, "mu": 0.25},
+        quantities=[SERIES, NUMBER], reason="so it is", method="penalty",
     )  # fmt: skip
     shared = {
-        "case": "bounce", "variant": "T1", "study": "grid", "modified": True, "code": "a",
+        "case": "bounce", "variant": "T1", "study": "grid", "modified": True,
+        "changed": "mu=0.25, m=2", "code": "a",
         "scheme": "b", "code_version": "1.2", "method": "penalty", "dt": 2e-3, "kn": 3e8,
         "status": "ran", "outcome": "fail", "reason": "so it is", "steps": 21,
         "cost_kind": "timed", "solve_cpu": 3.5, "solve_wall": 4.5, "startup": 1.5, "setup": 2.5,
@@ -68,6 +70,7 @@ def test_each_column_has_the_number_of_its_own_field() -> None:
     assert [*rows(one)] == [{**shared, **series}, {**shared, **number}]
     bare = record("a/b", "T1", 2e-3, cost=COST)
     (row,) = rows(bare)
+    assert row["changed"] == ""
     assert {row[name] for name in series} == {None}
     assert (row["outcome"], row["kn"], row["study"]) == ("not reported", None, "ladder")
 

@@ -40,6 +40,14 @@ def test_records_obey_the_schema(document: dict[str, Any]) -> None:
     }
 
 
+def test_a_record_names_the_parameters_that_were_changed(tiny: Tiny) -> None:
+    words = ("--set", "speed=4", "--set", "g=9.81")
+    tiny.vv("run", "fall:up", "--codes", "fake/good", *words, "--json", "out.json")
+    document = json.loads((tiny.root / "out.json").read_text())
+    VALIDATOR.validate(document)
+    assert {tuple(r["changed"]) for r in document["records"]} == {("speed",)}
+
+
 def test_series_are_written_out_with_their_reference(document: dict[str, Any]) -> None:
     series = document["records"][0]["quantities"][0]
     assert len(series["value"]["t"]) == len(series["value"]["y"]) == len(series["reference"]["y"])

@@ -221,8 +221,11 @@ def test_the_parameters_of_a_variant_that_are_not_those_of_the_table_are_told(
     assert "Parameters that differ from the table: <code>m</code> = 2.5." in words(
         part(page, "bounce--T2")
     )
-    page = built(manifest_of(usual, changed(other, modified=True)), store)
+    wide = changed(other, modified=True, changed=["m"], parameters={"m": 2.5, "g": 3.0})
+    page = built(manifest_of(usual, wide), store)
     assert "<b>Modified parameters:</b> m = 2.5." in words(part(page, "bounce--T2"))
+    assert '<code class="cmd">vv run bounce:T2 --set m=2.5</code>' in page
+    assert '<code class="cmd">vv run bounce:T1</code>' in page
     assert "Modified" not in part(page, "bounce--T1")
 
 

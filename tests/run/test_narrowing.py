@@ -34,6 +34,22 @@ def test_failed_means_what_did_not_do_well_last_time_at_its_own_rungs(tiny: Tiny
     assert (done.returncode, done.stdout) == (0, "nothing to run: nothing failed in the last run\n")
 
 
+def test_what_failed_with_changed_parameters_is_run_again_with_them(tiny: Tiny) -> None:
+    words = ("--set", "speed=4", "--set", "radius=0.2")
+    tiny.vv("run", "fall:up", "--codes", "fake/good,fake/coarse", *words)
+    done = tiny.vv("run", "--failed")
+    assert done.returncode == 1
+    assert "fall:up with speed=4, radius=0.2" in done.stdout
+    assert "3 fail; " in done.stdout
+    assert "fall:up with speed=5.5" in tiny.vv("run", "--failed", "--set", "speed=5.5").stdout
+    done = tiny.vv("run", "fall:slow", "--failed")
+    assert (done.returncode, done.stdout) == (
+        0,
+        "nothing to run: what failed is not selected; the last run: "
+        "vv run --failed --set speed=5.5\n",
+    )
+
+
 def test_since_means_what_a_change_can_affect(tiny: Tiny) -> None:
     (tiny.root / ".gitignore").write_text(".vv\n__pycache__\n")
     tiny.git("init", "-q")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
@@ -17,7 +19,7 @@ from vv.plan.project import Project, find
 
 if TYPE_CHECKING:
     from vv.ask import Knobs
-    from vv.plan.plan import Plan
+    from vv.plan.plan import Options, Plan
     from vv.records.manifest import Manifest, PrintedOutput
     from vv.run.limits import Limits
     from vv.store.store import Store
@@ -103,7 +105,7 @@ def run(call: RunCall) -> None:
     narrowed = _narrower(project, store, last, call)
 
     def make_plan() -> Plan:
-        return narrowed(options.plan_of(project, call.selection or [], chosen, call.keyword))
+        return narrowed(_planned(project, chosen, last, call))
 
     if call.dry_run:
         _list_jobs(project, store, make_plan(), call.fresh)
@@ -112,7 +114,11 @@ def run(call: RunCall) -> None:
         asked = "run", tuple(call.selection or ()), chosen, call.keyword
         printed = _reuse_or_run(project, asked, make_plan, call, limits, required)
     else:
-        printed = _run_once(project, make_plan(), call, limits, required)
+        plan = make_plan()
+        if not plan.jobs:
+            terminal.say(_nothing(call, last))
+            raise typer.Exit
+        printed = _run_once(project, plan, call, limits, required)
     for text in printed.notes:
         terminal.note(text)
     terminal.say(*printed.lines)
@@ -144,9 +150,6 @@ def _run_once(
     from vv.cli import invocation
     from vv.gate.first_failure import is_failure
 
-    if not plan.jobs:
-        terminal.say(_nothing(call))
-        raise typer.Exit
     until = is_failure(project) if call.first else None
     manifest = invocation.carry_out_with_progress(project, plan, limits, until)
     return _conclude(project, manifest, call, required)
@@ -211,6 +214,25 @@ def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
     print_jobs(plan, {n for n, key in found.items() if store.has_run(key)})
 
 
+def _planned(project: Project, chosen: Options, last: Manifest | None, call: RunCall) -> Plan:
+    """The plan of a call; --failed keeps the changed parameters of the last run."""
+    from vv.plan.plan import merge_plans, with_jobs_kept
+    from vv.plan.selection import select
+    from vv.run.narrowing import failing_places
+
+    selection = call.selection or []
+    failed = failing_places(last) if last and not chosen.settings else {}
+    if not failed:
+        return options.plan_of(project, selection, chosen, call.keyword)
+    plans = [
+        options.plan_of(project, places, dataclasses.replace(chosen, settings=texts), call.keyword)
+        for texts, places in failed.items()
+    ]
+    whole = functools.reduce(merge_plans, plans)
+    wanted = {(case.name, variant) for case, variant in select(project, selection or ["*"])}
+    return with_jobs_kept(whole, lambda job: (job.case, job.variant) in wanted)
+
+
 def _last(store: Store) -> Manifest:
     last = store.manifests.latest()
     if last is None:
@@ -253,7 +275,14 @@ def _narrower(
     return narrowed
 
 
-def _nothing(call: RunCall) -> str:
+def _nothing(call: RunCall, last: Manifest | None) -> str:
+    """Why there is nothing to run."""
+    from vv.run.narrowing import failing_records
+
+    if last and failing_records(last):
+        return (
+            f"nothing to run: what failed is not selected; the last run: {last.provenance.command}"
+        )
     if call.failed:
         return "nothing to run: nothing failed in the last run"
     if call.since:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from vv.case import Level
 from vv.records.finding import Aspect, Change, Finding, worst_first
 from vv.records.job_record import Record
-from vv.records.reading import rung
+from vv.records.reading import rung, settings
 
 if TYPE_CHECKING:
     from vv.insight.diagnosis import Diagnosis
@@ -108,13 +108,6 @@ def rerun(
     named = f"{programs.get(record.code, record.code)}/{record.scheme}"
     words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", named]
     words += ["--rung", finding.rung] if finding.rung else []
-    words += _settings_of(record)
+    words += [word for text in settings(record) for word in ("--set", text)]
     words += ["--level", level.value] if level is Level.PAPER else []
     return shlex.join(words)
-
-
-def _settings_of(record: Record) -> Sequence[str]:
-    """The options --set for the parameters of a record; empty if the user changed none."""
-    if not record.modified:
-        return []
-    return [word for n, value in record.parameters.items() for word in ("--set", f"{n}={value!r}")]

@@ -14,7 +14,7 @@ from vv.records.finding import Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome
 from vv.records.quantity import MeasuredQuantity
-from vv.records.reading import by_fineness, ran, tried
+from vv.records.reading import by_fineness, ran, settings, tried
 from vv.records.rungs import row_of
 
 ROWS = 60  # the most rows; if there are more, variants are counted instead
@@ -112,13 +112,22 @@ def _verdict(pile: Sequence[Record], findings: Sequence[Finding]) -> str:
 
 def table(records: Iterable[Record], findings: Iterable[Finding]) -> Iterator[str]:
     """The lines of the table; of many variants, one row for each scheme of a case."""
-    every = rows(records, findings)
+    given = list(records)
+    every, modified = rows(given, findings), _modified(given)
     if len(every) > ROWS:
         yield from _summary(every)
+        if modified:
+            yield f"  (with changed parameters: {'; '.join(dict.fromkeys(modified.values()))})"
         return
     for place in dict.fromkeys(row.place[:2] for row in every):
         here = [row for row in every if row.place[:2] == place]
-        yield from _of_variant(f"{place[0]}:{place[1]}", here)
+        mark = f" with {modified[place]}" if place in modified else ""
+        yield from _of_variant(f"{place[0]}:{place[1]}{mark}", here)
+
+
+def _modified(records: Iterable[Record]) -> dict[tuple[str, str], str]:
+    """(case, variant) -> its changed parameters in words, where a user changed some."""
+    return {(r.case, r.variant): ", ".join(settings(r)) for r in records if r.modified}
 
 
 def _of_variant(title: str, here: Sequence[Row]) -> Iterator[str]:

@@ -13,6 +13,7 @@ from vv.records import codec
 from vv.records.codec import Json
 from vv.records.job_record import Record
 from vv.records.quantity import MeasuredQuantity
+from vv.records.reading import settings
 from vv.store import manifest_text
 from vv.store.store import Store
 
@@ -55,6 +56,7 @@ def _of_record(record: Record | None) -> Json:
         "variant": r and r.variant,
         "study": r and codec.word(r.study),
         "modified": r and r.modified,
+        "changed": r and ", ".join(settings(r)),
         "code": r and r.code,
         "scheme": r and r.scheme,
         "code_version": r and r.code_version,

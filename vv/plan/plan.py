@@ -35,15 +35,15 @@ class Options:
 class Job:
     """One ask to one scheme, with the case and variant that it comes from.
 
-    modified: whether parameters differ from their defaults. timed: whether timing sessions measure
-    it. settle(): the outcome, if it is known without running, or None. inert: the changed
-    parameters that the exact answer does not depend on, in words; empty if none.
+    changed: the names of the parameters that differ from their defaults. timed: whether timing
+    sessions measure it. settle(): the outcome, if it is known without running, or None. inert: the
+    changed parameters that the exact answer does not depend on, in words; empty if none.
     """
 
     case: str
     variant: str
     parameters: Mapping[str, float]
-    modified: bool
+    changed: tuple[str, ...]
     code: str
     scheme: str
     method: Method
@@ -51,6 +51,11 @@ class Job:
     timed: bool
     settle: Callable[[], Run | None]
     inert: str = ""
+
+    @property
+    def modified(self) -> bool:
+        """Whether parameters differ from their defaults."""
+        return bool(self.changed)
 
     @functools.cached_property
     def settled(self) -> Run | None:

@@ -155,6 +155,8 @@ def _jobs(posed: _Declared, adapter: Adapter, scheme: Scheme, found: Found) -> l
     """The jobs of a variant in a scheme: one for each setting that differs in its knobs."""
     terms = posed.trial.study.scene.terms()
     own = knobs_in_scene(posed.trial.study)
+    usual = posed.case.defaults(posed.variant)
+    changed = tuple(name for name, value in posed.parameters.items() if value != usual[name])
     timed = {project_knobs(knobs, scheme, own) for knobs in posed.trial.study.timed}
     settle = _known_outcome_on_map if isinstance(posed.trial.study, Grid) else _known_outcome
     return [
@@ -162,7 +164,7 @@ def _jobs(posed: _Declared, adapter: Adapter, scheme: Scheme, found: Found) -> l
             case=posed.case.name,
             variant=posed.variant,
             parameters=posed.parameters,
-            modified=dict(posed.parameters) != posed.case.defaults(posed.variant),
+            changed=changed,
             code=adapter.name,
             scheme=scheme.name,
             method=scheme.method_for(terms),

@@ -74,7 +74,8 @@ class Record:
     """A job and its result. modified: parameters were changed; key: of its series in the store.
 
     largest_step: see RunSummary.
-    known_breaches: the laws that its ledger breaks, but is known to break.
+    known_breaches: the laws that its ledger breaks, but is known to break. changed: the names of
+    the changed parameters; empty in older records, of which only `modified` tells.
     """
 
     case: str
@@ -97,6 +98,7 @@ class Record:
     quantities: tuple[MeasuredQuantity, ...]
     largest_step: float | None = optional(None)
     known_breaches: tuple[str, ...] = optional(())
+    changed: tuple[str, ...] = optional(())
 
     @property
     def label(self) -> str:

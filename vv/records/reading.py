@@ -34,6 +34,21 @@ def by_fineness(record: Record) -> tuple[float, float]:
     return fineness(record.rung)
 
 
+def changed(record: Record) -> dict[str, float]:
+    """The parameters that a user changed; all, if an older record does not say which."""
+    names = record.changed or record.parameters if record.modified else ()
+    return {name: record.parameters[name] for name in names}
+
+
+def settings(record: Record) -> list[str]:
+    """The changed parameters as --set takes them, NAME=VALUE, exact to the last digit."""
+    return [f"{name}={_shortest(value)}" for name, value in changed(record).items()]
+
+
+def _shortest(value: float) -> str:
+    return short if float(short := f"{value:g}") == value else repr(value)
+
+
 def ran(record: Record) -> bool:
     """Whether the run of a record reached its end."""
     return record.status is Status.RAN

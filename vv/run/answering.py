@@ -148,6 +148,7 @@ def _record(plan: Plan, job: Job, key: str, run: RunSummary) -> Record:
         study=StudyKind(type(plan.trials[job.case, job.variant].study).__name__.lower()),
         parameters=job.parameters,
         modified=job.modified,
+        changed=job.changed,
         code=job.code,
         scheme=job.scheme,
         code_version=plan.found[job.code].version,

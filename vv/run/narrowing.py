@@ -15,7 +15,7 @@ from vv.plan.plan import Job, Plan, with_jobs_kept
 from vv.plan.project import Project
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
-from vv.records.reading import ran
+from vv.records.reading import ran, settings
 from vv.run.pace import Key, key, key_of, past
 
 EVERYTHING = ("pyproject.toml", "requirements.lock")  # they decide the versions of libraries
@@ -31,6 +31,17 @@ def failing_keys(manifest: Manifest) -> set[Key]:
 def failing_records(manifest: Manifest) -> list[Record]:
     """The records of an invocation that by themselves turn a gate red."""
     return [record for record in manifest.records if _wrong(record)]
+
+
+def failing_places(manifest: Manifest) -> dict[tuple[str, ...], list[str]]:
+    """The CASE:VARIANT of the results that turn a gate red, by their changed parameters.
+
+    The parameters are those that a user changed, as --set takes them; empty where none was.
+    """
+    found: dict[tuple[str, ...], dict[str, None]] = {}
+    for record in failing_records(manifest):
+        found.setdefault(tuple(settings(record)), {})[f"{record.case}:{record.variant}"] = None
+    return {texts: [*places] for texts, places in found.items()}
 
 
 def _wrong(record: Record) -> bool:
