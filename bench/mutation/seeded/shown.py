@@ -66,7 +66,7 @@ BUGS = (
     Bug("a profile in the order of the variants", COSTS, "return {name: sorted(row) for", "return {name: row for", tests="tests/insight/test_effort.py"),
     Bug("one of two uncertainties of a measurement", "vv/insight/against_measurements.py", "one.value, one.measurement.value, one.measurement.uncertainty,", "one.value, one.measurement.value, one.measurement.digitisation,", tests="tests/insight/test_against_measurements.py"),
     Bug("measurements beside the coarsest setting", "vv/insight/against_measurements.py", "sorted(manifest.records, key=by_fineness)", "sorted(manifest.records, key=by_fineness, reverse=True)", tests="tests/insight/test_against_measurements.py"),
-    Bug("an answer's error without that of its softness", "vv/insight/agreement.py", "sum(abs(value - values[place]) for place in near)", "max((abs(value - values[place]) for place in near), default=0.0)", tests="tests/insight/test_agreement.py"),
+    Bug("an answer's error without that of its softness", "vv/insight/agreement.py", "sum(abs(value - one.values[i]) for one in coarse if i < len(one.values))", "max((abs(value - one.values[i]) for one in coarse if i < len(one.values)), default=0.0)", tests="tests/insight/test_agreement.py"),
     Bug("of two groups the less sure agrees", "vv/insight/agreement.py", "-sum(answer.error for", "sum(answer.error for", tests="tests/insight/test_agreement.py"),
     Bug("changes with the smallest first", COMPARE, "-change.size, change.where", "change.size, change.where", tests="tests/insight/test_compare.py"),
     Bug("a floor of the largest errors", EFFORT, "least = [min(row.errors)", "least = [max(row.errors)", tests="tests/insight/test_floors.py"),
