@@ -68,6 +68,17 @@ def test_explain_can_be_asked_about_one_code(tiny: Tiny) -> None:
     assert ("fake/good" in out, "fake/coarse" in out) == (True, False)
 
 
+def test_what_explains_a_red_run_shows_it_at_its_own_parameters(tiny: Tiny) -> None:
+    words = ("--codes", "fake/good,fake/coarse", "--set", "speed=4")
+    done = tiny.vv("run", "fall:up", *words)
+    explain = done.stdout.splitlines()[-1].partition("details: ")[2]
+    assert explain == "vv explain fall:up --codes fake/coarse --set speed=4"
+    assert "last result: none yet" in tiny.vv("explain", "fall:up", "--codes", "fake").stdout
+    told = tiny.vv(*explain.split()[1:]).stdout
+    assert "speed = 4 m/s  initial velocity  (changed)" in told
+    assert told.count(": fail: y: error 0.0") == 3
+
+
 @pytest.mark.parametrize("option", ["--set", "--rung", "name"])
 def test_more_words_than_anybody_types_are_refused_at_once(tiny: Tiny, option: str) -> None:
     words = {"--set": "speed=1", "--rung": "dt=0.1", "name": "fall"}

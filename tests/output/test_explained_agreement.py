@@ -22,6 +22,7 @@ from vv.case import (
     Tolerance,
 )
 from vv.output import explain
+from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.scene import Term
 
@@ -44,15 +45,24 @@ def test_what_is_recorded_is_compared_while_the_newest_invocation_lacks_the_code
     assert explain._last_records([having, lacking])[1] == []
 
 
-def test_results_of_modified_parameters_are_not_shown_beside_tolerances_of_others() -> None:
-    own = records_of({"a/x": (1.03, 1.01)})
-    changed_ones = [changed(one, modified=True) for one in records_of({"a/x": (5.0, 5.0)})]
-    manifests = [
-        Manifest(NOWHERE, {}, {}, (), tuple(records), (), {}, ()) for records in (changed_ones, own)
-    ]
-    before = explain._last_results(manifests[1:])
-    assert explain._last_results(manifests) == before
-    assert before
+def test_results_are_shown_at_the_parameters_that_are_explained_and_at_no_others() -> None:
+    def at(m: float | None) -> list[Record]:
+        own = records_of({"a/x": (1.03, 1.01)})
+        if m is None:
+            return own
+        more: dict[str, Any] = {"modified": True, "changed": ["m"], "parameters": {"m": m, "g": 9}}
+        return [changed(one, **more) for one in own]
+
+    def left(names: tuple[str, ...], m: float) -> list[Record]:
+        job = SimpleNamespace(
+            case="bounce", variant="floor", changed=names, parameters={"m": m, "g": 9}
+        )
+        plan: Any = SimpleNamespace(jobs=[job])
+        return [*explain._at_parameters(plan, manifest(*at(2.0), *at(3.0), *at(None))).records]
+
+    assert left((), 1.0) == at(None)
+    assert left(("m",), 3.0) == at(3.0)
+    assert left(("m",), 4.0) == []
 
 
 def test_of_each_scheme_the_newest_results_are_shown_with_their_day() -> None:
@@ -82,10 +92,12 @@ def test_a_variant_is_told_with_its_own_values_terms_freedoms_and_last_results(
         name="bounce",
         parameters=parameters,
         variant={"T2": shown}.__getitem__,
-        defaults={"T1": {"m": 1.0, "g": 2.0, "mu": 3.0}, "T2": {"m": 4.0, "g": 5.0, "mu": 6.0}}.get,
     )
     scene = SimpleNamespace(terms=lambda: {Term.GRAVITY, Term.DRAG}, unknowns=lambda: 7)
-    job = SimpleNamespace(case="bounce", variant="T2", code="a", scheme="x", settled=None, ask=None)
+    job = SimpleNamespace(
+        case="bounce", variant="T2", code="a", scheme="x", settled=None, ask=None,
+        parameters={"m": 4.0, "g": 5.0, "mu": 6.0}, changed=("mu",),
+    )  # fmt: skip
     lacks = changed_job(job, scheme="y", settled=Run(Status.REFUSED, "a/y has no drag"))
     was = changed_job(job, scheme="z", settled=Run(Status.REFUSED, "a/z has no drag"))
     plan: Any = SimpleNamespace(
@@ -104,7 +116,7 @@ def test_a_variant_is_told_with_its_own_values_terms_freedoms_and_last_results(
         "  formula: y = t",
         "  m = 4 kg  mass",
         "  g = 5 m/s^2  pull  (inert)",
-        "  mu = 6   rub  (not seen: smooth)",
+        "  mu = 6   rub  (changed)  (not seen: smooth)",
         f"  terms: {Term.GRAVITY.value}, {Term.DRAG.value}",
         "  unknowns: 7",
         "  a/x: one freedom",
@@ -165,10 +177,10 @@ def test_a_result_is_told_at_its_step_and_stiffness_and_one_without_numbers_with
     assert explain._in_words(none) == "not supported: it has no walls"
 
 
-def told(capsys: pytest.CaptureFixture[str], judge: object) -> list[str]:
+def told(capsys: pytest.CaptureFixture[str], judge: Any) -> list[str]:
     """What is said below a quantity with this judge."""
-    quantity: Any = SimpleNamespace(name="y", unit="m", meaning="height", judge=judge)
-    explain._explain_quantity(quantity)
+    quantity: Any = SimpleNamespace(name="y", unit="m", meaning="height")
+    explain._explain_quantity(quantity, judge)
     head, *lines = capsys.readouterr().out.splitlines()
     assert head == "  quantity y [m]: height"
     return [line.strip() for line in lines]
@@ -218,8 +230,11 @@ def test_an_agreement_is_told_below_its_own_variant_alone(
     variants = [SimpleNamespace(name=one) for one in ("other", "floor", "skipped")]
     source = SimpleNamespace(citation="Someone", doi=doi, note="none")
     bounce = SimpleNamespace(title="Bounces", source=source, published={}, variants=variants)
+    job = SimpleNamespace(case="bounce", variant="floor", changed=())
     plan: Any = SimpleNamespace(
-        cases={"bounce": bounce}, trials={("bounce", "other"): 0, ("bounce", "floor"): 0}
+        cases={"bounce": bounce},
+        trials={("bounce", "other"): 0, ("bounce", "floor"): 0},
+        jobs=[job],
     )
     whole = Manifest(NOWHERE, {}, {}, (), tuple(records_of(AGREEING)), (), {}, ())
     explain.print_explanation(plan, [whole])

@@ -83,7 +83,12 @@ def test_a_table_is_shown_where_anything_was_taken_on(told: Told) -> None:
 
 def test_the_last_line_explains_a_case_that_failed_if_there_is_one(told: Told) -> None:
     failed = record("dem/default", "T1", 1e-3, case="fall", quantities=[entry("fail", {"max": 1})])
-    for given, case in (([fine(), failed], "fall"), ([fine()], "bounce"), ([], "CASE")):
+    words = "fall:T1 --codes dem/default"
+    softer = changed(failed, modified=True, changed=["m"], parameters={"m": 2.0, "g": 9.81})
+    for given, case in (
+        ([fine(), failed], words), ([softer], f"{words} --set m=2"), ([fine()], "bounce"),
+        ([], "CASE"),
+    ):  # fmt: skip
         result_lines.print_counts(given, "here")
         (line,) = lines(told)
         assert line.endswith(f"; report: here; details: vv explain {case}")

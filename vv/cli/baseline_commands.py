@@ -60,7 +60,7 @@ def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
     when = Timing.NEW if timing else Timing.NONE
     limits = Limits(options.workers(0), options.TIMEOUT, timing=when)
     manifest = invocation.carry_out_with_progress(project, plan, limits)
-    invocation.print_summary(manifest, invocation.LATER)
+    invocation.print_summary(project, manifest, invocation.LATER)
     return manifest
 
 

@@ -82,7 +82,7 @@ def gate(call: GateCall) -> None:
     asked = "gate", tuple(call.selection or ()), chosen
     manifest = invocation.reuse_or_carry_out(project, asked, plan, _limits(call))
     invocation.write_records(project, manifest, call.json_file)
-    invocation.print_summary(manifest, invocation.LATER)
+    invocation.print_summary(project, manifest, invocation.LATER)
     findings = judgement(manifest, required)
     _write_outputs(project, manifest, findings, call)
     print_findings(findings, manifest.records, call.level, options.named_files(project), manifest)

@@ -9,6 +9,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from vv.base.files import write_output
+from vv.cli import options
 from vv.output import result_lines, terminal
 from vv.output.progress import progress
 from vv.plan.plan import Plan
@@ -135,11 +136,11 @@ def write_records(project: Project, manifest: Manifest, json_file: Path | None) 
         write_output(json_file, document(manifest, Store(project.data())).encode())
 
 
-def print_summary(manifest: Manifest, report: str) -> None:
+def print_summary(project: Project, manifest: Manifest, report: str) -> None:
     """Print refusals, parameters without effect, counts, and where the report is."""
     result_lines.print_refusals(manifest.records)
     result_lines.print_inert(manifest.records)
-    result_lines.print_counts(manifest.records, report)
+    result_lines.print_counts(manifest.records, report, options.named_files(project))
 
 
 def report_writer(project: Project) -> ModuleType:

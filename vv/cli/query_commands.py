@@ -127,15 +127,20 @@ def explain(
         typer.Argument(help="CASE or CASE:VARIANT.", autocompletion=options.completed_cases),
     ],
     codes: options.Codes = "*",
+    settings: options.Sets = None,
 ) -> None:
-    """Explain a case: source, formula, parameters, tolerances, mapping into codes, results."""
+    """Explain a case: source, formula, parameters, tolerances, mapping into codes, results.
+
+    The results are those with the same parameters.
+    """
     from vv.output.explain import print_explanation
     from vv.plan.plan import Options
     from vv.plan.planning import make_plan
     from vv.store.store import Store
 
-    project = find()
-    plan = make_plan(project, selection, Options(codes=options.codes(codes)))
+    project, named = options.with_programs(find(), codes)
+    chosen = Options(codes=named, settings=tuple(settings or ()))
+    plan = make_plan(project, selection, chosen)
     print_explanation(plan, Store(project.data()).manifests.newest(PAST, terminal.note))
 
 

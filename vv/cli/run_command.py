@@ -197,7 +197,7 @@ def _conclude(
         judged = [one for one in findings if one.bit]
         named = options.named_files(project)
         result_lines.print_findings(judged, manifest.records, call.level, named, manifest)
-        invocation.print_summary(manifest, str(report))
+        invocation.print_summary(project, manifest, str(report))
 
     notes, lines = terminal.captured(print_results)
     store, folder = Store(project.data()), invocation.report_folder(project)

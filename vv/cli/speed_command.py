@@ -80,7 +80,7 @@ def speed(call: SpeedCall) -> None:
     limits = Limits(workers, timeout, call.fresh, Timing.STORED)
     asked = "speed", tuple(call.selection or ()), chosen
     manifest = invocation.reuse_or_carry_out(project, asked, make_plan, limits)
-    invocation.print_summary(manifest, invocation.LATER)
+    invocation.print_summary(project, manifest, invocation.LATER)
     _show(project, manifest, bool(call.selection), call.json_file)
     raise typer.Exit(exit_bits(manifest.records) & RUN_BITS)
 

@@ -127,8 +127,8 @@ def agreements(
 ) -> list[Agreement]:
     """The comparison of every quantity that three families or more of a class of method computed.
 
-    records: of one invocation; those with modified parameters are left out. recorded: results of
-    codes that are not installed.
+    records: at the same parameters. recorded: results of codes that are not installed, at the
+    case's own parameters.
     """
     groups: dict[Topic, dict[str, list[_Result]]] = {}
     for topic, one in (*_measured(records), *_written_down(records, recorded)):
@@ -141,7 +141,7 @@ def agreements(
 def _measured(records: Iterable[Record]) -> Iterator[tuple[Topic, _Result]]:
     """The values of runs, for series at the last time."""
     for record in records:
-        if record.status is Status.RAN and not record.modified:
+        if record.status is Status.RAN:
             for one in record.quantities:
                 if values := _values(one.figures, one.value):
                     topic = record.case, record.variant, one.name, record.method

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import math
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
-from vv.case import Case, CodeToCode, Exact, Measured, Quantity
+from vv.case import (
+    Case,
+    CodeToCode,
+    Exact,
+    Judge,
+    Measured,
+    Quantity,
+    judge_at_other_parameters,
+)
 from vv.gate.judgement import against_code, against_measurement, outcome
 from vv.insight.agreement import agreements
 from vv.output.terminal import say
@@ -16,6 +25,7 @@ from vv.plan.plan import Job, Plan
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.quantity import MeasuredQuantity
+from vv.records.reading import changed
 from vv.records.recorded import RecordedResult
 
 Result = TypeVar("Result", Record, RecordedResult)
@@ -23,7 +33,7 @@ Result = TypeVar("Result", Record, RecordedResult)
 
 def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
     """Explain the planned variants, their last results, and which codes agree."""
-    past = tuple(manifests)
+    past = tuple(_at_parameters(plan, one) for one in manifests)
     results, heard = _last_results(past), agreements(*_last_records(past))
     for name, case in plan.cases.items():
         doi = f", doi:{case.source.doi}" if case.source.doi else ""
@@ -39,27 +49,36 @@ def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
                         say(f"  agreement: {agreement.in_words()}")
 
 
+def _at_parameters(plan: Plan, manifest: Manifest) -> Manifest:
+    """A past run with only its records at the parameters of the plan."""
+    asked = {
+        (job.case, job.variant): {name: job.parameters[name] for name in job.changed}
+        for job in plan.jobs
+    }
+    kept = [r for r in manifest.records if asked.get((r.case, r.variant)) == changed(r)]
+    return dataclasses.replace(manifest, records=tuple(kept))
+
+
 def _explain_variant(
     plan: Plan, case: Case, name: str, results: Mapping[tuple[str, ...], list[str]]
 ) -> None:
     variant, trial = case.variant(name), plan.trials[case.name, name]
-    scene, values = trial.study.scene, case.defaults(name)
+    own = [job for job in plan.jobs if (job.case, job.variant) == (case.name, name)]
+    scene, values, modified = trial.study.scene, own[0].parameters, own[0].changed
     say("", f"{case.name}:{name}: {variant.summary}", f"  formula: {variant.formula}")
     for p in case.parameters:
         hidden = variant.unseen.get(p.name)
         note = (
             "  (inert)" if p.name in variant.inert else f"  (not seen: {hidden})" if hidden else ""
         )
-        say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{note}")
+        mark = "  (changed)" if p.name in modified else ""
+        say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{mark}{note}")
     terms = ", ".join(sorted(term.value for term in scene.terms()))
     say(f"  terms: {terms}", f"  unknowns: {scene.unknowns()}")
     for quantity in trial.quantities:
-        _explain_quantity(quantity)
-    last = {
-        (job.code, job.scheme): job
-        for job in plan.jobs
-        if (job.case, job.variant) == (case.name, name)
-    }
+        judge = judge_at_other_parameters(quantity.judge) if modified else quantity.judge
+        _explain_quantity(quantity, judge)
+    last = {(job.code, job.scheme): job for job in own}
     for (code, scheme), job in last.items():
         say(f"  {code}/{scheme}: {_model_or_refusal(plan, job)}")
         when, *rungs = results.get((case.name, name, code, scheme), ["none yet"])
@@ -78,8 +97,7 @@ def _model_or_refusal(plan: Plan, job: Job) -> str:
     return f"{job.settled.status.value}: {reason}" if lacks == reason else lacks
 
 
-def _explain_quantity(quantity: Quantity) -> None:
-    judge = quantity.judge
+def _explain_quantity(quantity: Quantity, judge: Judge) -> None:
     say(f"  quantity {quantity.name} [{getattr(quantity, 'unit', '')}]: {quantity.meaning}")
     if isinstance(judge, Measured):
         _explain_measurement(judge)
@@ -144,13 +162,10 @@ def _by_scheme(results: Iterable[Result]) -> dict[tuple[str, ...], list[Result]]
 
 
 def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[str]]:
-    """The newest result of each (case, variant, code, scheme): when, then each rung in words.
-
-    Results of modified parameters are left out, since the tolerances shown are not theirs.
-    """
+    """The newest result of each (case, variant, code, scheme): when, then each rung in words."""
     found: dict[tuple[str, ...], list[str]] = {}
     for manifest in manifests:
-        own = _by_scheme(record for record in manifest.records if not record.modified)
+        own = _by_scheme(manifest.records)
         when = manifest.provenance.utc
         newest = {place: [when, *map(_in_words, records)] for place, records in own.items()}
         found = {**newest, **found}

@@ -105,9 +105,15 @@ def rerun(
     record = at.get((finding.case, finding.variant, finding.label, finding.rung))
     if record is None or finding.check is Aspect.SPEED:
         return ""
-    named = f"{programs.get(record.code, record.code)}/{record.scheme}"
-    words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", named]
-    words += ["--rung", finding.rung] if finding.rung else []
-    words += [word for text in settings(record) for word in ("--set", text)]
+    words = ["--rung", finding.rung] if finding.rung else []
     words += ["--level", level.value] if level is Level.PAPER else []
-    return shlex.join(words)
+    return command("run", record, programs, words)
+
+
+def command(
+    verb: str, record: Record, programs: Mapping[str, Path] = NO_PROGRAMS, more: Sequence[str] = ()
+) -> str:
+    """A command on one scheme in one variant, at the parameters of its record."""
+    named = f"{programs.get(record.code, record.code)}/{record.scheme}"
+    words = ["vv", verb, f"{record.case}:{record.variant}", "--codes", named, *more]
+    return shlex.join([*words, *(word for text in settings(record) for word in ("--set", text))])

@@ -69,13 +69,22 @@ def print_inert(records: Iterable[Record]) -> None:
         note(text)
 
 
-def print_counts(records: Iterable[Record], report: str) -> None:
+def print_counts(
+    records: Iterable[Record],
+    report: str,
+    programs: Mapping[str, Path] = finding_lines.NO_PROGRAMS,
+) -> None:
     """The last line of a run: counts of outcomes, the report, and the command that explains them.
 
-    report: its path, or the command that writes it.
+    The command names the first scheme and variant that failed. report: its path, or the command
+    that writes it. programs: see `vv.output.finding_lines.lines`.
     """
     given = list(records)
-    say(f"settings: {listed(counted(given))}; report: {report}; details: vv explain {_case(given)}")
+    failed = next((record for record in given if outcome(record) in FAILED), None)
+    details = f"vv explain {_case(given)}"
+    if failed:
+        details = finding_lines.command("explain", failed, programs)
+    say(f"settings: {listed(counted(given))}; report: {report}; details: {details}")
 
 
 def print_table(records: Sequence[Record], findings: Sequence[Finding]) -> None:
