@@ -17,7 +17,7 @@ from tests.support.installed import require
 from vv.cli.docs_command import case_pages, code_pages
 from vv.plan.project import Project
 
-PAGES = ("choose-a-code.md", "test-my-code.md", "in-ci.md")
+PAGES = ("choose-a-code.md", "test-my-code.md", "in-ci.md", "compare-runs.md")
 GALLERY = ROOT / "docs" / "gallery"
 LINK = re.compile(r"\]\((?!https?:)([^)#]+)\)")
 

@@ -136,7 +136,7 @@ def test_the_wheel_runs_an_in_house_case_in_an_empty_folder(
         elsewhere / "vv", "run", "single-contact:T1", "--codes", "exact/default", cwd=tmp_path
     )
     last = printed.splitlines()[-1]
-    assert re.match(r"settings: [1-9]\d* pass; report: ", last)
+    assert re.match(r"settings: [1-9]\d* pass; run: ", last)
     (report,) = re.findall("report: ([^;]*)", last)
     assert Path(report).is_relative_to(tmp_path / ".vv")
     assert "single-contact" in Path(report).read_text()

@@ -75,8 +75,10 @@ def test_the_last_line_counts_outcomes_and_says_where_to_look(tiny: Tiny) -> Non
     codes = "fake/good,fake/coarse,fake/refuses"
     done = tiny.vv("run", "fall:up", "--codes", codes, "--level", "quick")
     report = tiny.root / ".vv" / "report" / "index.html"
-    line = f"settings: 1 pass, 1 fail, 1 not supported; report: {report}; details: vv explain fall"
-    assert done.stdout.splitlines()[-1] == line
+    counts, run, *rest = done.stdout.splitlines()[-1].split("; ")
+    assert counts == "settings: 1 pass, 1 fail, 1 not supported"
+    assert (tiny.root / ".vv" / "manifests" / f"{run.removeprefix('run: ')}.json").is_file()
+    assert rest == [f"report: {report}", "details: vv explain fall:up --codes fake/coarse"]
     assert report.is_file()
     assert done.returncode == Bit.ACCURACY  # as the gate says
 
@@ -230,7 +232,7 @@ def test_a_run_that_cannot_be_measured_has_failed_and_the_others_go_on(tiny: Tin
     tiny.edit("cases/fall.py", measured, "observe=lambda run: 1 / float(run.values[BALL][-1, 1])")
     done = tiny.vv("run", "fall:up", "--codes", "fake/good,fake/zeros")
     assert done.returncode == Bit.CRASH
-    assert "\nsettings: 3 pass, 3 error; report" in done.stdout
+    assert "\nsettings: 3 pass, 3 error; run: " in done.stdout
     assert "ZeroDivisionError: float division by zero (fall.py:" in done.stderr
 
 

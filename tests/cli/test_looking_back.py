@@ -13,7 +13,7 @@ from tests.support import fabricated
 from tests.support.records.priced import manifest, record
 from vv.base.errors import UsageError
 from vv.case.published import Paper
-from vv.cli import docs_command, papers_command
+from vv.cli import docs_command, past_commands
 from vv.plan import imports, published
 from vv.plan.content import ProjectError
 
@@ -46,7 +46,7 @@ def test_the_newest_result_of_a_setting_counts_that_ran_with_the_case_s_own_para
     past = SimpleNamespace(names=lambda: ["run 0", *NAMES], records_of=records_of)
     store = SimpleNamespace(manifests=past)
     monkeypatch.setattr("vv.store.store.Store", lambda data: store)
-    found = papers_command._newer(project(tmp_path), "bounce")
+    found = past_commands._newer(project(tmp_path), "bounce")
     errors = {name: one.quantities["y"].error for name, one in found.items()}
     assert errors == {"T1 a/a dt=0.001": 0.5, "T1 a/a dt=0.002": 0.2}
     assert "past run run 0: cannot be read; skipped" in capsys.readouterr().err
@@ -60,8 +60,8 @@ def test_what_is_newer_stands_for_what_is_accepted_unless_that_is_all_that_is_as
 ) -> None:
     baseline = SimpleNamespace(results={"x": 1, "y": 2})
     monkeypatch.setattr("vv.gate.all_checks.baseline_of", lambda *given: baseline)
-    monkeypatch.setattr(papers_command, "_newer", lambda *given: {"y": 3})
-    results: Any = papers_command._results
+    monkeypatch.setattr(past_commands, "_newer", lambda *given: {"y": 3})
+    results: Any = past_commands._results
     assert results(project(tmp_path), accepted, "bounce") == said
     monkeypatch.setattr("vv.gate.all_checks.baseline_of", lambda *given: None)
     assert results(project(tmp_path), accepted, "bounce") == ({} if accepted else {"y": 3})

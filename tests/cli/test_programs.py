@@ -67,7 +67,7 @@ def test_a_program_is_named_by_its_file_and_told_its_order(tiny: Tiny, mine: Pat
     assert done.returncode == 0, done.stderr
     (row,) = (line for line in done.stdout.splitlines() if line.startswith("  mine/default "))
     assert "1.00 of 1 " in row
-    assert done.stdout.splitlines()[-1].startswith("settings: 3 pass; report: ")
+    assert done.stdout.splitlines()[-1].startswith("settings: 3 pass; run: ")
 
 
 def test_a_cost_that_holds_start_and_output_is_marked_wherever_it_is_shown(
@@ -85,7 +85,7 @@ def test_a_cost_that_holds_start_and_output_is_marked_wherever_it_is_shown(
 def test_it_runs_beside_the_others_and_in_a_scheme_of_its_own(tiny: Tiny, mine: Path) -> None:
     done = tiny.vv("run", "fall:up", "--codes", f"{mine}/default,fake/good", "--level", "quick")
     assert done.returncode == 0, done.stderr
-    assert "2 pass; report: " in done.stdout
+    assert "2 pass; run: " in done.stdout
 
 
 def test_its_result_stands_until_one_of_its_files_changes(tiny: Tiny, mine: Path) -> None:

@@ -159,20 +159,71 @@ def test_the_report_shows_a_case_over_commits(tmp_path: Path) -> None:
     assert page.index("aaaaaaaaa</code>") < page.index("bbbbbbbbb</code>")
 
 
+def test_runs_are_also_called_by_their_age(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    for name in ("01", "02", "03"):
+        kept(store, name, "abcdef", ladder())
+    (tmp_path / "manifests" / "02.json").write_text("damaged")
+    names = {word: manifest_of(store, word, lambda _: "").name for word in ("last", "last~1")}
+    assert names == {"last": "03", "last~1": "01"}
+    with pytest.raises(UsageError, match="not so many runs"):
+        manifest_of(store, "last~2", lambda _: "")
+
+
+def test_parameters_that_differ_are_told_before_what_follows_of_them() -> None:
+    one = [changed(own, parameters={"m": 1.0, "g": 9.81}) for own in ladder()]
+    other = [
+        changed(own, parameters={"m": 2.0, "g": 9.81}, modified=True, changed=["m"])
+        for own in ladder(3.0)
+    ]
+    first, *rest = changes(manifest(*one), manifest(*other))
+    assert (first.kind, first.where, first.text) == (
+        "parameters",
+        "bounce:T1",
+        "m = 1 -> 2; so these are different problems",
+    )
+    assert {change.kind for change in rest} == {"error"}
+
+
+def test_history_has_the_newest_result_of_each_scheme_at_a_commit(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    absent = [record("kratos/default", "T1", 1e-3, status="not-installed", reason="none")]
+    failed = [requantified(one, verdict="fail", tolerance=None) for one in ladder()]
+    others = [changed(one, scheme="other") for one in ladder(5.0)]
+    for number, records in enumerate(([*ladder(2.0), *others], failed, absent)):
+        kept(store, f"0{number}", "a" * 40, records)
+    for _ in ("computed", "kept"):
+        (point,) = history(store, "bounce", pytest.fail)
+        assert point.utc.startswith("2025-01-02")
+        assert set(point.outcomes) == {"dem/default", "dem/other", "kratos/default"}
+        assert set(point.closeness) == {"dem/other"}  # none of the newest, which is not judged
+        assert {one.value for one in point.outcomes["dem/default"]} == {"fail"}
+
+
 def test_diff_and_history_on_the_command_line(tiny: Tiny) -> None:
     tiny.git("init", "-q")
     tiny.git("add", "cases")
     tiny.git("commit", "-qm", "first")
     words = ("run", "fall:up", "--codes", "fake/good,fake/first-order")
+    assert tiny.vv("runs").returncode == 64
     tiny.vv(*words)
     tiny.edit("adapters/fake.py", "0.1 * ask", "0.2 * ask")
-    tiny.vv(*words)
+    done = tiny.vv(*words)
     first = min((tiny.root / ".vv" / "manifests").iterdir()).stem
     latest = max((tiny.root / ".vv" / "manifests").iterdir()).stem
-    assert f"HEAD and the latest run are the same run, {latest}" in tiny.vv("diff", "HEAD").stderr
+    assert f"; run: {latest}; report: " in done.stdout.splitlines()[-1]
+    assert f"HEAD and last are the same run, {latest}; `vv diff`" in tiny.vv("diff", "HEAD").stderr
     said = tiny.vv("diff", first).stdout
+    assert tiny.vv("diff").stdout == tiny.vv("diff", "last~1", "last").stdout == said
+    assert [line.rpartition(": ")[2] for line in said.splitlines()[:2]] == [
+        "vv " + " ".join(words)
+    ] * 2
+    listed = tiny.vv("runs").stdout.splitlines()
+    assert [line.split()[0] for line in listed] == [latest, first]
+    assert listed[0].endswith("+  fall  vv run fall:up --codes fake/good,fake/first-order")
+    assert tiny.vv("runs", "--rows", "1").stdout.splitlines() == listed[:1]
     assert said.count("error: fall:up fake/first-order dt=") == 3
     assert "0.01 -> 0.02 (x 2)" in said
-    assert "fake/good" not in said
+    assert "fake/good" not in "".join(said.splitlines()[2:])
     said = tiny.vv("history", "fall").stdout
     assert "fake/first-order: 3 fail, error 20 of the tolerance" in said

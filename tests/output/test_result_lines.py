@@ -128,6 +128,19 @@ def test_changes_are_told_by_kind_and_what_is_left_out_is_counted(told: Told) ->
     assert first.startswith("A: 2025-01-01T00:00:00+00:00, commit c0ffeec0f with uncommitted")
 
 
+def test_a_past_run_is_listed_with_its_commit_what_it_holds_and_its_command(told: Told) -> None:
+    clean = changed(NOWHERE, dirty=False, command="vv run fall")
+    nowhere = changed(clean, commit="")
+    result_lines.print_runs(
+        [("r1", ("a", "b"), NOWHERE), ("r2", ("a",), clean), ("r3", (), nowhere)]
+    )
+    assert lines(told) == [
+        "r1  c0ffeec0f+  2 cases  vv run --all",
+        "r2  c0ffeec0f  a  vv run fall",
+        "r3  no commit  0 cases  vv run fall",
+    ]
+
+
 def test_history_tells_of_each_scheme_what_there_is(told: Told) -> None:
     point: Any = SimpleNamespace(
         name="c0ffee", utc="today", outcomes={"b": {Outcome.PASS: 2}, "a": {Outcome.PASS: 1}},
@@ -236,8 +249,8 @@ def test_each_of_two_invocations_is_told_with_its_own_day_commit_and_count(told:
     )  # fmt: skip
     result_lines.print_changes([], one, other, 2)
     assert lines(told)[:2] == [
-        "A: day 2, commit aaaaaaaaa, 2 results",
-        "B: day 3, commit bbbbbbbbb with uncommitted changes, 3 results",
+        "A: day 2, commit aaaaaaaaa, 2 results: vv run --all",
+        "B: day 3, commit bbbbbbbbb with uncommitted changes, 3 results: vv run --all",
     ]
 
 

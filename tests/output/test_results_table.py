@@ -140,7 +140,7 @@ def test_findings_at_several_settings_are_one_line_with_the_command_that_shows_i
     values = {"m": 1e9, "g": 9.81}
     other = [changed(one, modified=True, parameters=values, changed=["m"]) for one in bad]
     (_, again) = finding_lines.lines(found, other, Level.PAPER)
-    assert again.endswith("--rung dt=0.004 --set m=1e+09 --level paper")
+    assert again.endswith("--rung dt=0.004 --level paper --set m=1e+09")
 
 
 def test_a_broken_law_is_told_with_the_number_beside_its_bound() -> None:

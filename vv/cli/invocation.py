@@ -140,7 +140,8 @@ def print_summary(project: Project, manifest: Manifest, report: str) -> None:
     """Print refusals, parameters without effect, counts, and where the report is."""
     result_lines.print_refusals(manifest.records)
     result_lines.print_inert(manifest.records)
-    result_lines.print_counts(manifest.records, report, options.named_files(project))
+    programs = options.named_files(project)
+    result_lines.print_counts(manifest.records, report, programs, manifest.name)
 
 
 def report_writer(project: Project) -> ModuleType:

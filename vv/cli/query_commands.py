@@ -1,9 +1,8 @@
-"""The commands that only show: list, codes, explain, diff, history."""
+"""The commands that show cases and codes: list, codes, explain."""
 
 from __future__ import annotations
 
 import fnmatch
-import functools
 import re
 from typing import TYPE_CHECKING, Annotated
 
@@ -142,55 +141,3 @@ def explain(
     chosen = Options(codes=named, settings=tuple(settings or ()))
     plan = make_plan(project, selection, chosen)
     print_explanation(plan, Store(project.data()).manifests.newest(PAST, terminal.note))
-
-
-def diff(
-    one: Annotated[
-        str,
-        typer.Argument(
-            metavar="A",
-            help="A run's name, or a commit as git knows it: its last run without edits.",
-        ),
-    ],
-    other: Annotated[
-        str, typer.Argument(metavar="B", help="Another run or commit; the latest run if not given.")
-    ] = "",
-    rows: Annotated[
-        int, typer.Option("--rows", min=1, help="At most so many lines for each kind of change.")
-    ] = 15,
-) -> None:
-    """Compare two runs, or the last runs of two commits: outcome, error, order, cost."""
-    from vv.insight import compare
-    from vv.output.result_lines import print_changes
-    from vv.store import checkout
-    from vv.store.store import Store
-
-    project = find()
-    store = Store(project.data())
-    names = store.manifests.names()
-    if not names:
-        raise UsageError(f"there are no runs to compare; {compare.how_to_make(one)}")
-    known = functools.partial(checkout.named, project.root)
-    first = compare.manifest_of(store, one, known)
-    second = compare.manifest_of(store, other, known) if other else store.manifests.latest()
-    if second is None:
-        raise UsageError("no past run can be read; `vv run` makes one")
-    if first.name == second.name:
-        raise UsageError(f"{one} and {other or 'the latest run'} are the same run, {first.name}")
-    print_changes(compare.changes(first, second), first, second, rows)
-
-
-def history(
-    case: Annotated[str, typer.Argument(metavar="CASE", help="The case to look at.")],
-) -> None:
-    """Show errors over tolerances, and relative costs, of a case over the last commits."""
-    from vv.insight.history import history as read
-    from vv.output.result_lines import print_history
-    from vv.plan.selection import select
-    from vv.store.store import Store
-
-    project = find()
-    names = {found.name for found, _ in select(project, [case])}
-    store = Store(project.data())
-    for name in sorted(names):
-        print_history(name, read(store, name, terminal.note))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from vv.base.errors import UsageError
@@ -12,13 +13,14 @@ from vv.base.notices import notice
 from vv.gate.judgement import outcome
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
-from vv.records.reading import rung
+from vv.records.reading import rung, shortest
 from vv.records.rungs import Key, orders
 from vv.store.store import Store
 
 SAME = 1e-6  # smaller relative changes of an error are not shown
 LISTED = 3  # the number of runs named if one is not found
 NOISE = 1e-12  # an error below it is rounding
+LAST = re.compile(r"last(?:~(\d+))?")  # how a run is named by its age
 ORDER = 0.02  # smaller changes of an observed order are not shown
 COST = 1.25  # smaller ratios of costs are not shown, since rounds differ by as much
 
@@ -36,9 +38,12 @@ class Change:
 def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifest:
     """The run of that name, or the newest at a commit, preferably without uncommitted changes.
 
-    A commit is given by its beginning, or by a name; `known` returns the commit of a name, or ''.
+    `last` is the newest run, `last~1` the one before it. A commit is given by its beginning, or by
+    a name; `known` returns the commit of a name, or ''.
     """
     names = store.manifests.names()
+    if back := LAST.fullmatch(name):
+        return _back(store, names, int(back[1] or 0))
     if name in names:
         return store.manifests.read(name)
     commit = known(name) or (name if len(name) >= 4 else "")
@@ -60,25 +65,51 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
     raise UsageError(f"no run and no commit '{name}' in the store; the last runs are {last}")
 
 
+def _back(store: Store, names: Sequence[str], steps: int) -> Manifest:
+    """The run that many before the newest; damaged ones are not counted."""
+    for name in reversed(names):
+        found = store.manifests.newest_of([name], notice)
+        if found and not steps:
+            return found[0]
+        steps -= len(found)
+    raise UsageError("there are not so many runs; `vv runs` lists all")
+
+
 def how_to_make(name: str) -> str:
     """The commands that give results for a commit in the store."""
     return f"to get results for a commit: git switch --detach {name} && vv run CASE; git switch -"
 
 
 def changes(one: Manifest, other: Manifest) -> list[Change]:
-    """The differences of `other` from `one`: outcomes, errors, orders and costs."""
+    """The differences of `other` from `one`: parameters, outcomes, errors, orders and costs."""
     before, after = _by_place(one.records), _by_place(other.records)
     shared = [place for place in before if place in after]
-    found = [*_presence(before, after)]
+    found = [*_presence(before, after), *_parameter_changes(one.records, other.records)]
     for place in shared:
         found += _record_changes(" ".join(p for p in place if p), before[place], after[place])
     found += _order_changes(orders(one.records), orders(other.records))
-    kinds = ("outcome", "only in A", "only in B", "error", "order", "cost")
+    kinds = ("parameters", "outcome", "only in A", "only in B", "error", "order", "cost")
     return sorted(found, key=lambda change: (kinds.index(change.kind), -change.size, change.where))
 
 
 def _by_place(records: Iterable[Record]) -> dict[tuple[str, ...], Record]:
     return {(f"{r.case}:{r.variant}", r.label, rung(r)): r for r in records}
+
+
+def _parameter_changes(one: Iterable[Record], other: Iterable[Record]) -> Iterator[Change]:
+    """The parameters that differ, one line per variant; what follows of it is not like for like."""
+    before, after = ({(r.case, r.variant): r.parameters for r in own} for own in (one, other))
+    for place in before.keys() & after.keys():
+        a, b = before[place], after[place]
+        moved = [name for name in {**a, **b} if a.get(name) != b.get(name)]
+        if moved:
+            texts = [f"{name} = {_known(a.get(name))} -> {_known(b.get(name))}" for name in moved]
+            text = f"{', '.join(texts)}; so these are different problems"
+            yield Change("parameters", ":".join(place), text)
+
+
+def _known(value: float | None) -> str:
+    return "none" if value is None else shortest(value)
 
 
 def _presence(

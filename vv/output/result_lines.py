@@ -16,7 +16,7 @@ from vv.output.terminal import note, say
 from vv.output.wording import in_words, listed
 from vv.records.finding import Finding, worst_first
 from vv.records.job_record import Record
-from vv.records.manifest import Manifest
+from vv.records.manifest import Manifest, Provenance
 from vv.records.outcomes import Outcome
 from vv.records.reading import tried
 
@@ -73,18 +73,20 @@ def print_counts(
     records: Iterable[Record],
     report: str,
     programs: Mapping[str, Path] = finding_lines.NO_PROGRAMS,
+    run: str = "",
 ) -> None:
     """The last line of a run: counts of outcomes, the report, and the command that explains them.
 
     The command names the first scheme and variant that failed. report: its path, or the command
-    that writes it. programs: see `vv.output.finding_lines.lines`.
+    that writes it. run: its name in the store. programs: see `vv.output.finding_lines.lines`.
     """
     given = list(records)
     failed = next((record for record in given if outcome(record) in FAILED), None)
     details = f"vv explain {_case(given)}"
     if failed:
         details = finding_lines.command("explain", failed, programs)
-    say(f"settings: {listed(counted(given))}; report: {report}; details: {details}")
+    named = f"run: {run}; " if run else ""
+    say(f"settings: {listed(counted(given))}; {named}report: {report}; details: {details}")
 
 
 def print_table(records: Sequence[Record], findings: Sequence[Finding]) -> None:
@@ -130,12 +132,15 @@ def print_unacceptable(records: Iterable[Record]) -> None:
 
 
 def print_changes(changes: Sequence[Change], one: Manifest, other: Manifest, rows: int) -> None:
-    """How two invocations differ, the largest difference of each kind first."""
+    """How two invocations differ, the largest difference of each kind first.
+
+    With the command that made each, since what they computed may differ by intention.
+    """
     for name, manifest in (("A", one), ("B", other)):
         where = manifest.provenance
         dirty = " with uncommitted changes" if where.dirty else ""
         commit = f"commit {where.commit[:9]}{dirty}" if where.commit else "no commit"
-        say(f"{name}: {where.utc}, {commit}, {len(manifest.records)} results")
+        say(f"{name}: {where.utc}, {commit}, {len(manifest.records)} results: {where.command}")
     for kind in dict.fromkeys(change.kind for change in changes):
         own = [change for change in changes if change.kind == kind]
         for change in own[:rows]:
@@ -144,6 +149,14 @@ def print_changes(changes: Sequence[Change], one: Manifest, other: Manifest, row
             say(f"{kind}: and {len(own) - rows} more")
     if not changes:
         say("no difference")
+
+
+def print_runs(past: Iterable[tuple[str, tuple[str, ...], Provenance]]) -> None:
+    """Past runs, each with its name, commit, cases and command."""
+    for name, cases, where in past:
+        commit = (where.commit[:9] or "no commit") + ("+" if where.dirty else "")
+        held = cases[0] if len(cases) == 1 else f"{len(cases)} cases"
+        say(f"{name}  {commit}  {held}  {where.command}")
 
 
 def print_history(case: str, points: Sequence[Point]) -> None:

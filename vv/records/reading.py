@@ -42,10 +42,11 @@ def changed(record: Record) -> dict[str, float]:
 
 def settings(record: Record) -> list[str]:
     """The changed parameters as --set takes them, NAME=VALUE, exact to the last digit."""
-    return [f"{name}={_shortest(value)}" for name, value in changed(record).items()]
+    return [f"{name}={shortest(value)}" for name, value in changed(record).items()]
 
 
-def _shortest(value: float) -> str:
+def shortest(value: float) -> str:
+    """A number in the fewest digits that read back as the same."""
     return short if float(short := f"{value:g}") == value else repr(value)
 
 

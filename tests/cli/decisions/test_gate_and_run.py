@@ -87,7 +87,15 @@ def test_a_run_is_of_cases_or_of_all_or_of_what_is_left_of_them(call: RunCall, s
     ],
 )
 def test_an_empty_run_says_why(call: RunCall, said: str) -> None:
-    assert run_command._nothing(call) == f"nothing to run: {said}"
+    assert run_command._nothing(call, None) == f"nothing to run: {said}"
+    passed, failed = (
+        manifest(record("a/x", "T1", 1e-3, quantities=[entry(verdict, {"max": 1.0})]))
+        for verdict in ("pass", "fail")
+    )
+    assert run_command._nothing(call, passed) == f"nothing to run: {said}"
+    assert run_command._nothing(call, failed) == (
+        "nothing to run: what failed is not selected; the last run: vv run --all"
+    )
 
 
 def test_what_failed_is_run_again_at_the_settings_at_which_it_failed_each_once() -> None:

@@ -12,7 +12,7 @@ import pytest
 from tests.support.fabricated import entry, record
 from vv.ask import Run, Status
 from vv.base.errors import UsageError
-from vv.cli import check_command, docs_command, papers_command, report_command
+from vv.cli import check_command, docs_command, past_commands, report_command
 from vv.records.job_record import Record
 
 PROJECT: Any = SimpleNamespace(data=lambda: Path("nowhere"))
@@ -104,7 +104,7 @@ def test_papers_are_compared_with_results_that_ran_with_their_own_parameters(
     first, again = made("a/a"), made("a/a", code_version="2")
     others = made("b/b", modified=True), made("c/c", status="error"), made("d/d")
     stored(monkeypatch, first=[first, *others], second=[again])
-    found = papers_command._newer(PROJECT, "bounce")
+    found = past_commands._newer(PROJECT, "bounce")
     assert len(found) == 2
     assert sorted(name.split()[1] for name in found) == ["a/a", "d/d"]
 
