@@ -74,7 +74,6 @@ def take_step(
     done: the steps since t = 0, negative while walls are at rest; first: of the run. A part that
     does not converge is halved, and one ends where a slide stops.
     """
-    worst = work.worst
     start, begin, length, uneven = done * dt, 0.0, dt, False
     while begin < dt:
         part = begin_part(work, setting, motion, start + begin, length, first and begin == 0.0)
@@ -83,7 +82,7 @@ def take_step(
         if not ended and length > dt / CUTS:
             restore_states(touch, before)
             length *= 0.5
-            worst[CUT] += 1
+            work.worst[CUT] += 1
             continue
         if locates(setting):
             to_stop = part_to_stop(touch, before, trial.relative, setting, motion, part)
@@ -93,7 +92,7 @@ def take_step(
                 continue
         if ended and turns_back(setting):
             turn_slide(work.u, touch, before, trial, setting, motion, part)
-        worst[FAILED] += 0 if ended else 1
+        work.worst[FAILED] += 0 if ended else 1
         book_part(work, touch, trial, setting, motion, part)
         work.ledger[NUMERICAL] += update_velocities(
             motion.velocity, work.rate, work.d, work.mass, setting.bodies, part.rule, length
