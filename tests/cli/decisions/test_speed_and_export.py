@@ -264,7 +264,7 @@ def test_a_check_is_red_by_what_was_wrong_or_failed_and_ends_where_no_answer_com
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    scenes = [some(name=f"scene {n}") for n in range(len(answers))]
+    scenes = [some(name=f"scene {n}", asks=lambda scheme: [0]) for n in range(len(answers))]
     asked: list[str] = []
 
     def runs(adapter: object, scheme: object, tiny: Any, *_: object) -> list[Run]:
@@ -280,7 +280,7 @@ def test_a_check_is_red_by_what_was_wrong_or_failed_and_ends_where_no_answer_com
         "vv.codes.tiny_scene_check.judged",
         lambda scheme, tiny, _: CheckResult(found[tiny.name], "so it is"),
     )
-    adapter: Any = some(name="a")
+    adapter: Any = some(name="a", refuses=lambda ask, scheme: "it has no walls")
     scheme: Any = some(name="x", method=some(value="exact"))
     assert check_command._check_scheme(adapter, scheme, 5.0, Path()) == status
     assert len(asked) == left
@@ -316,11 +316,14 @@ def test_a_job_of_pytest_is_judged_by_the_findings_on_its_own_record_alone(
 
 
 @pytest.mark.parametrize(
-    ("number", "fate"), [(0, "passed"), (1, "failed"), (2, "skipped"), (3, "passed")]
-)
+    ("number", "fate", "lost"),
+    [(0, "passed", ()), (1, "failed", ()), (2, "skipped", ()), (2, "skipped", ("b",)),
+     (2, "failed", ("a",)), (3, "passed", ())],
+)  # fmt: skip
 def test_a_job_of_pytest_fails_by_what_is_red_and_is_skipped_if_it_was_refused(
-    number: int, fate: str, monkeypatch: pytest.MonkeyPatch
+    number: int, fate: str, lost: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """A refusal fails too if nothing of the code ran, whose file was named."""
     fine = record("a/x", "T1", 1e-3)
     refused = changed(fine, status="refused", reason="it has no walls")
     records = (fine, changed(fine, variant="T2"), refused, changed(fine, variant="T3"))
@@ -329,11 +332,12 @@ def test_a_job_of_pytest_fails_by_what_is_red_and_is_skipped_if_it_was_refused(
     shown = dataclasses.replace(red, variant="T3", enforced=False)
     monkeypatch.setattr("vv.gate.judgement.judgement", lambda whole: [red, shown])
     whole = manifest(*records)
-    test: Any = some(invocation=some(answered=lambda: whole), number=number)
+    invocation = some(answered=lambda: whole, lost=lambda: set(lost), again=lambda *_: "")
+    test: Any = some(invocation=invocation, number=number)
     if fate == "passed":
         job_tests.JobTest.runtest(test)
         return
     kind = pytest.fail.Exception if fate == "failed" else pytest.skip.Exception
-    said = "too far" if fate == "failed" else "refused: it has no walls"
+    said = "too far" if number == 1 else "refused: it has no walls"
     with pytest.raises(kind, match=said):
         job_tests.JobTest.runtest(test)
