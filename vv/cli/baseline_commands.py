@@ -34,6 +34,9 @@ def accept(
         bool, typer.Option("--timing", help="Time the codes anew and accept their speeds too.")
     ] = False,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
+    paper: Annotated[
+        bool, typer.Option("--paper", help="Run the variants that begin at level paper too.")
+    ] = False,
 ) -> None:
     """Show what changed since the baseline of a case, and make the present results the new one."""
     from vv.gate.acceptance import acceptable
@@ -42,14 +45,14 @@ def accept(
 
     project = find()
     _require_own_cases(project)
-    plan = _both_levels(project, case, "*")
+    plan = _levels_of(project, case, "*", paper)
     if not (reason.strip() or dry_run):
         raise UsageError('--reason is missing; say why the results are right: --reason "..."')
     manifest = _run(project, plan, timing)
     result_lines.print_difference(manifest, case)
     result_lines.print_unacceptable(r for r in manifest.records if tried(r) and not acceptable(r))
     if not dry_run:
-        _write_baseline(project, case, manifest, reason.strip())
+        _write_baseline(project, case, manifest, reason.strip(), paper)
 
 
 def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
@@ -64,14 +67,15 @@ def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
     return manifest
 
 
-def _write_baseline(project: Project, case: str, manifest: Manifest, reason: str) -> None:
+def _write_baseline(
+    project: Project, case: str, manifest: Manifest, reason: str, paper: bool
+) -> None:
     """Write the case's new baseline and the answers of its schemes, and print where they are."""
     from vv.gate import acceptance, answers
     from vv.gate.all_checks import baseline_of, baselines_of
     from vv.records.sorted_text import render
 
-    variants = project.load_case(case).variants
-    later = {one.name for one in variants if not one.runs_at(Level.DEFAULT)}
+    later = frozenset() if paper else _later(project, case)
     new = acceptance.accepted(
         case,
         baseline_of(project, case),
@@ -112,7 +116,7 @@ def record(
             raise UsageError(f"record takes whole cases and whole codes, not '{part}'")
     if not selection and codes == "*":
         raise UsageError("name the cases or --codes to record")
-    plan = _both_levels(project, selection, codes)
+    plan = _levels_of(project, selection, codes)
     external = {code for code, found in plan.found.items() if found.files}
     plan = with_jobs_kept(plan, lambda job: job.code in external)
     if not plan.jobs:
@@ -145,21 +149,35 @@ def _without_results(manifest: Manifest) -> dict[str, RecordedFile]:
     }
 
 
-def _both_levels(project: Project, selection: list[str] | str | None, codes: str) -> Plan:
-    """The jobs of the levels quick and default, each once."""
-    from vv.plan.plan import EmptyPlanError, Options, merge_plans
+def _levels_of(
+    project: Project, selection: list[str] | str | None, codes: str, paper: bool = False
+) -> Plan:
+    """The jobs of the levels quick and default, each once.
+
+    paper: also those at level paper of the variants that begin there.
+    """
+    from vv.plan.plan import EmptyPlanError, Options, merge_plans, with_jobs_kept
 
     names = [selection] if isinstance(selection, str) else selection or []
-    levels = (Level.QUICK, Level.DEFAULT)
+    levels = (Level.QUICK, Level.DEFAULT, Level.PAPER)[: 2 + paper]
     if isinstance(selection, str) and selection not in project.case_names():
         raise UsageError(f"accept takes the name of one case, not '{selection}'")
     plans = []
     for level in levels:
         with contextlib.suppress(EmptyPlanError):  # all variants may begin at a higher level
-            plans.append(options.plan_of(project, names, Options(level, options.codes(codes))))
+            plan = options.plan_of(project, names, Options(level, options.codes(codes)))
+            if level is Level.PAPER:
+                plan = with_jobs_kept(plan, lambda job: job.variant in _later(project, job.case))
+            plans.append(plan)
     if not plans:
         raise UsageError(f"no scheme of {', '.join(names)} runs at level {levels[-1].value}")
     return functools.reduce(merge_plans, plans)
+
+
+def _later(project: Project, case: str) -> frozenset[str]:
+    """The variants of a case that begin at level paper."""
+    variants = project.load_case(case).variants
+    return frozenset(one.name for one in variants if not one.runs_at(Level.DEFAULT))
 
 
 def _require_own_cases(project: Project) -> None:

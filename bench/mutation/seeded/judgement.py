@@ -68,9 +68,9 @@ BUGS = (
     Bug('expired entries keep a run from stopping at a failure', 'vv/gate/first_failure.py', 'known = in_force([one for path in ledgers for one in read_disagreements(path)], today)', 'known = [one for path in ledgers for one in read_disagreements(path)]', tests='tests/gate/test_first_failure.py'),
     Bug('one known quantity keeps a run from stopping at any', 'vv/gate/first_failure.py', 'one.case and one.red and one.quantity not in covered', 'one.case and one.red and not covered', tests='tests/gate/test_first_failure.py'),
     Bug('breaches in a second ledger unknown to the first failure', 'vv/gate/first_failure.py', 'for path in ledgers for entry in read_breaches(path)', 'for path in ledgers[:1] for entry in read_breaches(path)', tests='tests/gate/test_first_failure.py'),
-    Bug('a crash in a check is told as a wrong answer', 'vv/cli/check_command.py', 'Answered.FAILED: CRASHED', 'Answered.FAILED: WRONG', tests='tests/cli/decisions/test_speed_and_export.py'),
-    Bug('a test of pytest fails by what is reported only', 'vv/cli/job_tests.py', 'if finding.red]', 'if finding.bit]', tests='tests/cli/decisions/test_speed_and_export.py'),
-    Bug('a test of pytest is judged by findings at other settings', 'vv/cli/job_tests.py', 'finding.label, finding.rung) == own', 'finding.label, own[3]) == own', tests='tests/cli/decisions/test_speed_and_export.py'),
+    Bug('a crash in a check is told as a wrong answer', 'vv/cli/check_command.py', 'Answered.FAILED: CRASHED', 'Answered.FAILED: WRONG', tests='tests/cli/decisions/test_checks.py'),
+    Bug('a test of pytest fails by what is reported only', 'vv/cli/job_tests.py', 'if finding.red]', 'if finding.bit]', tests='tests/cli/decisions/test_checks.py'),
+    Bug('a test of pytest is judged by findings at other settings', 'vv/cli/job_tests.py', 'finding.label, finding.rung) == own', 'finding.label, own[3]) == own', tests='tests/cli/decisions/test_checks.py'),
     Bug('the general class of a method counts before its own', 'vv/case/judges.py', 'for one in (method, method.general):', 'for one in (method.general, method):', tests='tests/case/test_truths.py'),
     Bug('a parameter that is not finite is taken', 'vv/case/case.py', '"" if math.isfinite(value) else "must be finite"', '""', tests='tests/case/test_truths.py'),
 )  # fmt: skip
