@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -37,6 +38,8 @@ from vv.scene import Bonds, Contact, Scene, Spheres, Vector
 BASE = np.array([[True, True, False]] * 4)  # the top is driven, the base slides on its plane
 RATES = (2.0, 1.0)  # rates of loading of the two units, over that of the slower one
 APART = 10.0  # diameters between the units, which never meet
+SLIDES_AT = 2.4677e8 * D.value  # N/m: C_u times d at the case's own parameters
+SWINGS = 2.0  # times the displacement at rest, after a load that is applied at once
 BEYOND = 1.15  # of the strain at failure, up to which the slower unit is loaded
 EVERY = 1.6e-7  # s between outputs
 FALL = 0.05  # relative fall below the largest stress so far that shows broken bonds
@@ -178,13 +181,16 @@ def _declare(variant: str, p: Parameters) -> Trial:
     else:
         pressed = 5e-7 * max(1.0, (p["eta"] * p["rate"] / 45.0) ** 2)
         failed = tetrahedral_unit.sliding_failure(element, d)
+        opened = tetrahedral_unit.opening_failure(element, d)
+        _require_later(p, abs(opened.strain), abs(failed.strain))
         strengths = _strength(
             "C_open", "pressure that opens the base", _opening_strength, p,
-            -tetrahedral_unit.opening_failure(element, d).stress,
+            -opened.stress,
             "Eq. 8", lattice_material.opening_strength(kn, ks, xb, d), pressed,
         ) + _strength(
             "C_u", "compressive strength", slid, p, -failed.stress,
-            "Eq. 14", lattice_material.sliding_strength(fs0, mu_p, d), pressed,
+            "Eq. 14", lattice_material.sliding_strength(fs0, mu_p, d),
+            pressed * max(1.0, (SLIDES_AT / (abs(failed.stress) * d)) ** 2),
         )  # fmt: skip
         closed = _sliding_balance(p, element, 0.5 * failed.fz * failed.x.dz)
     if variant in HURRIED:
@@ -196,8 +202,25 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(Ladder(_scene(p), goal, watched, LEVELS), (*strengths, closed))
 
 
+def _require_later(p: Parameters, opened: float, slid: float) -> None:
+    """Raises ValueError where inclined bonds may slide in the wave that follows the opening.
+
+    opened, slid: strains. The base opens at once, and the inclined bonds then swing up to twice as
+    far as under their load at rest, which grows during half an oscillation.
+    """
+    grown = RATES[0] / RATES[1] * abs(p["rate"]) * math.pi * math.sqrt(p["m"] / p["kn"])
+    if slid < SWINGS * (opened + grown):
+        raise ValueError(
+            f"inclined bonds slide at a strain of {slid:.4g}, the base opens at {opened:.4g}; they "
+            f"may slide in the wave that follows, below {SWINGS * (opened + grown):.4g}"
+        )
+
+
 def _sliding_balance(p: Parameters, element: Element, held: float) -> Scalar:
-    """The quantity `balance` of units that slide; held: energy that one stores until then [J]."""
+    """The quantity `balance` of units that slide; held: energy that one stores until then [J].
+
+    A scheme of first order has the error of second order too, in w dt of the bonds.
+    """
     coarsest = float(RUNGS[0].dt or 0.0)
     ends = sum(
         sliding_unit.unexplained_energy(
@@ -206,9 +229,11 @@ def _sliding_balance(p: Parameters, element: Element, held: float) -> Scalar:
         for times in RATES
     )
     orders = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}
+    turned = 1e8 * coarsest * math.sqrt(p["kn"] / p["m"] / (KN.value / M.value))
+    rotating = {n: sum(2e-7 * turned**order for order in range(n, 3)) for n in orders.values()}
     return balance({
         method: Tolerance(
-            min(LARGEST_TOLERANCE, 2e-7 * (coarsest / 1e-8) ** n + ends / held), PARTED,
+            min(LARGEST_TOLERANCE, rotating[n] + ends / held), PARTED,
             dt=coarsest, order=n, slack=FEW,
         )
         for method, n in orders.items()
@@ -262,7 +287,8 @@ PARTED = (
 FEW = "in tension the bonds of the unit hardly rotate"
 RATE = (
     "the strength at zero rate is extrapolated from two rates; the error is of second order in the "
-    "rates, larger in compression, where failure comes later, and does not depend on the step"
+    "rates, larger in compression, where failure comes later, and does not depend on the step; it "
+    "is as the square of the force of viscosity over the strength"
 )
 
 

@@ -23,6 +23,10 @@ STRONG = {
 NEAR_A_SWING = {"rho": 1700.0, "G": 3.1e8, "F": 4.3}
 SHAKEN = {"D": 0.196, "f": 6.55, "mu": 0.729, "g": 9.61, "duration": 22.7}
 LONG_TUMBLE = {"w": 1.38, "height": 0.75, "V": 0.194, "duration": 2.04}
+WEAK = {
+    "kn": 6.28e7, "ks": 5.31e6, "xb": 1.58e-7, "fs0": 14.6, "mu_p": 0.5, "d": 0.00125,
+    "m": 2.44e-6, "eta": 4.42, "rate": -6.99,
+}  # fmt: skip
 SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
 
 
@@ -41,6 +45,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("rigid", "tumbling", "corner", {"w": 1.21, "height": 0.781, "V": 0.186}, None),
         ("dem", "confined-strength", "two", SLOWED, None),
         ("dem", "tetrahedral-strength", "pressed", STRONG, None),
+        ("dem", "tetrahedral-strength", "pressed", WEAK, None),
         ("dem", "packing", "seed-1", {"m": 0.0178, "eta": 0.12}, None),
         ("rigid", "tumbling", "corner", {"w": 1.71}, None),
         ("rigid", "tumbling", "corner", LONG_TUMBLE, None),
