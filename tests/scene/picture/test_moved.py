@@ -43,7 +43,7 @@ def test_the_circle_of_a_sphere_goes_as_if_the_scene_were_drawn_with_it_there(
 
 
 def test_a_motion_along_an_axis_has_no_negative_zero() -> None:
-    for way in (X, -X, Z, -Z):
+    for way in (X, -X, Z, -Z, X - 1e-9 * Z, Z - 1e-9 * X):
         assert "-0.0" not in str(shifted(row(3), 1, way))
 
 
