@@ -2,7 +2,7 @@
 
 import pytest
 
-from bench.mutation.loose_bounds import EPS, FAR, ROUNDING, Bound, of_case
+from bench.bounds.loose_bounds import EPS, FAR, ROUNDING, Bound, of_case
 from tests.findings.figures import PROJECT
 from vv.case import Tolerance
 

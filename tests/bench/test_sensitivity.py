@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from bench.mutation import sensitivity
+from bench.bounds import sensitivity
 from vv.case import Case, Level, Shown
 from vv.plan.project import find
 

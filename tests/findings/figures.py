@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from bench.mutation.sensitivity import answer
+from bench.bounds.sensitivity import answer
 from vv.ask import Ask, Knobs, Ledger, Run, Status
 from vv.case import Level, Norm, Trial
 from vv.codes import Scheme

@@ -1,6 +1,6 @@
 """Whether each case sees a parameter that is 1 % off in a code: the in-house codes are asked.
 
-`python -m bench.mutation.sensitivity [CASE ...]` gives every scheme the scenes of a variant with
+`python -m bench.bounds.sensitivity [CASE ...]` gives every scheme the scenes of a variant with
 one parameter 1 % off, at the settings of the quick level (`--level` names another), and judges them
 by the answer at the default. It prints, for each class of method, the error over the tolerance of
 the quantity that sees it best. The bar: each parameter that is neither inert nor said to be unseen

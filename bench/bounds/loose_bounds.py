@@ -1,6 +1,6 @@
 """Lists the bounds that are more than a hundred times the errors of accepted results.
 
-`python -m bench.mutation.loose_bounds [CASE ...]` compares `cases/baselines` with the declarations,
+`python -m bench.bounds.loose_bounds [CASE ...]` compares `cases/baselines` with the declarations,
 and runs nothing. For each quantity of a variant in each scheme it takes the setting of level
 default at which the bound is closest to the error. The bar: bounds of more than FAR times the error
 say why, as `slack` of their `Tolerance`.
