@@ -276,14 +276,19 @@ def test_two_hundred_names_are_taken_and_no_more(
 def test_a_run_that_writes_a_file_never_repeats_what_another_printed(
     json: Path | None, known: str | None, runs: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    ran: list[str] = []
+    ran: list[Any] = []
+
+    def carry_out(*words: Any) -> Any:
+        ran.extend(words)
+        return some(name="run")
+
     for name, what in (
         ("vv.cli.invocation.earlier_output", lambda *_: known),
-        ("vv.cli.invocation.reuse_or_carry_out", lambda *_: some(name=ran.append("run"))),
+        ("vv.cli.invocation.reuse_or_carry_out", carry_out),
         ("vv.cli.invocation.keep_output", lambda *_: None),
         ("vv.cli.run_command._conclude", lambda *_: "new"),
     ):
         monkeypatch.setattr(name, what)
     call: Any = RunCall(json_file=json)
-    told = run_command._reuse_or_run(some(), (), some, call, some(), ())
+    told: Any = run_command._reuse_or_run(some(), (), some, call, some(), ())
     assert (told, bool(ran)) == ("new" if runs else known, runs)
