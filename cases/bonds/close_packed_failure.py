@@ -11,15 +11,14 @@ import numpy as np
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import BRITTLE
 from cases.bonds._specimens import block_of, on_tops, specimen
+from cases.bonds.parts._failure_bounds import bounds, history_bounds, landmark_bounds, slope_bounds
 from reference_solutions.bonds import lattice_failure, lattice_material, lattice_strength
 from reference_solutions.bonds.close_packed_lattice import Lattice
 from reference_solutions.bonds.lattice_material import Element
 from reference_solutions.bonds.tetrahedral_unit import sliding_failure
-from vv.ask import History, Knobs, Method, Observable, Reaction, Run
+from vv.ask import History, Knobs, Observable, Reaction, Run
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
-    Exact,
     Ladder,
     Level,
     Parameter,
@@ -29,7 +28,6 @@ from vv.case import (
     Series,
     Shown,
     Source,
-    Tolerance,
     Trial,
     Variant,
 )
@@ -105,7 +103,7 @@ def _counts(
                half, half_due, half_due, Shown(TIED)),
         Scalar("half beyond", "d e_half", "", "difference of that strain from the nearest slow "
                "history",
-               outside, 0.0, half_due, _landmark_bounds(p, block)),
+               outside, 0.0, half_due, landmark_bounds(p, block)),
     )  # fmt: skip
 
 
@@ -219,16 +217,16 @@ def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
                Shown(BEYOND_A2)),
         Scalar("history", "mean|e|", "Pa", "mean distance from the pressure of the slow network",
                one.off, 0.0, one.largest,
-               _history_bounds(p, block, 0.0 if own else one.early())),
+               history_bounds(p, block, 0.0 if own else one.early())),
         Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", one.first,
-               one.lowest, one.lowest, _landmark_bounds(p, block)),
+               one.lowest, one.lowest, landmark_bounds(p, block)),
         Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall", one.top,
                one.largest, one.largest, Shown(TIED)),
         Scalar("A1 beyond", "d sigma(A1)", "Pa", "difference of A1 from the nearest slow history",
-               one.outside, 0.0, one.largest, _landmark_bounds(p, block)),
+               one.outside, 0.0, one.largest, landmark_bounds(p, block)),
         Scalar("E after", "E'", "Pa", "slope of the pressure with all level bonds "
                "open", one.after, one.softer,
-               one.softer, _slope_bounds(p) if own or not one.waves_slide() else Shown(SLID)),
+               one.softer, slope_bounds(p) if own or not one.waves_slide() else Shown(SLID)),
         Scalar("A1 over Eq. 8", "A1/C_open - 1", "", "A1 over C_open of Eq. 8, less 1",
                lambda run: one.top(run) / printed - 1.0, None, 1.0, Shown(FACES)),
         Scalar("A3 over Eq. 8", "A3/C_open - 1", "", "A3 over C_open of Eq. 8, less 1",
@@ -254,64 +252,15 @@ BEYOND_A2 = (
     "no slow history is known where inclined bonds slide; up to there the curve is judged in parts"
 )
 FACES = "the equation is for a lattice without faces; shown for comparison with the paper"
-CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 
 
-def _bounds(value: float, reason: str, slack: str = "") -> Exact:
-    return Exact(dict.fromkeys(CLASSES, Tolerance(value, reason, slack=slack)))
-
-
-def _history_bounds(p: Parameters, block: Lattice, early: float) -> Exact:
-    """early: see `_Pressed`."""
-    return _bounds(
-        min(LARGEST_TOLERANCE, max(early, _waves(block, 5e-3)) * max(1.0, _pace(p))),
-        f"viscosity adds a thousandth at a rate of 1/s; {WAVES}{SOFTER if early else ''}; {PACED}",
-    )
-
-
-def _landmark_bounds(p: Parameters, block: Lattice) -> Exact:
-    return _bounds(
-        min(LARGEST_TOLERANCE, _waves(block, 6e-3) * max(1.0, _pace(p))),
-        "outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s; "
-        f"{WAVES}; {PACED}",
-        slack="how soon an output follows an opening is chance",
-    )
-
-
-def _slope_bounds(p: Parameters) -> Exact:
-    return _bounds(
-        min(LARGEST_TOLERANCE, 1e-4 * max(1.0, _pace(p))),
-        "the path of units without a base is exact; viscosity adds in proportion to the rate, and "
-        "waves of the last opening remain",
-    )
-
-
-def _pace(p: Parameters) -> float:
-    """The stretch of a bond while a wave passes it over xb, relative to that at the defaults."""
-    given = {one.name: one.value for one in BRITTLE}
-    passes = np.sqrt(p["m"] / given["m"] * given["kn"] / p["kn"])
-    return float(abs(p["rate"]) * p["d"] / given["d"] * given["xb"] / p["xb"] * passes)
-
-
-def _waves(block: Lattice, small: float) -> float:
-    """The bound `small` for the smallest block, and a larger one for others."""
-    return small if len(block.position) <= SMALL else 5e-2
-
-
-SMALL = 82
-WAVES = (
-    "in blocks of more than 82 elements the wave of an opening also opens bonds that bear up to a "
-    "twentieth less, at any rate"
-)
-SOFTER = ", and in one of 82 where shear springs bear less than at the case's own parameters"
-PACED = "both errors grow with the stretch of a bond, over xb, while a wave passes it"
 # of the largest stretch: bonds within it open together; the first is shown
 TIES = (0.02, 0.005, 0.08)
 TIED = (
     "which of several nearly equal bonds opens first is not determined, and the value may depend "
     "on it"
 )
-STRETCHED = _bounds(
+STRETCHED = bounds(
     5e-2,
     "a bond opens up to a step after its stretch exceeds xb, and stretches faster where "
     "others open",

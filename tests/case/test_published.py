@@ -91,7 +91,9 @@ def test_a_statement_that_is_called_wrong_without_a_reason_is_refused() -> None:
 @pytest.mark.parametrize(
     ("printed", "number", "allowance"),
     [("0.1971", 0.1971, 5e-5), ("-0.0005", -5e-4, 5e-5), ("2.1651e7", 2.1651e7, 500.0),
-     ("82", 82.0, 0.5), ("", None, math.inf)],
+     ("82", 82.0, 0.5), ("", None, math.inf), ("12.3 mm", 12.3, 0.05), ("0.10", 0.10, 0.005),
+     ("~ 2.5", 2.5, 0.05), ("2.40e-3 m", 2.4e-3, 5e-6), ("< 5 %", None, 0.5),
+     ("> 5 %", None, 0.5), ("grows", None, math.inf)],
 )  # fmt: skip
 def test_a_number_is_known_to_half_its_last_place(
     printed: str, number: float | None, allowance: float
@@ -99,6 +101,8 @@ def test_a_number_is_known_to_half_its_last_place(
     one = Statement("Eq. 1", "a", printed, Assessment.REPRODUCED)
     assert one.number == number
     assert one.allowance == pytest.approx(allowance, rel=1e-3)
+    close = Statement("Eq. 1", "a", printed, Assessment.REPRODUCED, close=0.25)
+    assert close.allowance == 0.25
 
 
 def test_papers_are_found_by_their_files() -> None:

@@ -289,24 +289,6 @@ def test_a_limit_of_stability_lies_below_all_that_is_unstable(
     assert Bracket(3.0, 5.0).stability_limits(tried) == limits
 
 
-@pytest.mark.parametrize(
-    ("printed", "number", "allowance"),
-    [
-        ("12.3 mm", 12.3, 0.05), ("0.10", 0.10, 0.005), ("7", 7.0, 0.5), ("~ 2.5", 2.5, 0.05),
-        ("2.40e-3 m", 2.4e-3, 5e-6), ("-1.5", -1.5, 0.05), ("< 5 %", None, 0.5),
-        ("> 5 %", None, 0.5), ("grows", None, math.inf),
-    ],
-)  # fmt: skip
-def test_a_printed_number_is_known_to_half_of_its_last_place(
-    printed: str, number: float | None, allowance: float
-) -> None:
-    one = Statement("Fig. 1", "what", printed, Assessment.REPRODUCED)
-    assert one.number == number
-    assert one.allowance == pytest.approx(allowance, rel=1e-3)
-    close = Statement("Fig. 1", "what", printed, Assessment.REPRODUCED, close=0.25)
-    assert close.allowance == 0.25
-
-
 def test_what_is_not_reproduced_has_a_reason_and_several_misprints_are_more_than_one() -> None:
     for assessment in Assessment:
         if assessment is not Assessment.REPRODUCED:
