@@ -56,6 +56,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("dda", "shear-wave", "20", NEAR_A_SWING, Knobs(1e-4, 1e12)),
         ("rigid", "shaken-fast", "5hz", SHAKEN, Knobs(5e-4)),
         ("rigid", "rocking", "threshold", {"part": 1.02}, None),
+        ("dem", "single-contact", "T1", {"r": 1e9}, Knobs(5e-4)),
         ("dem", "single-contact", "T4", {"r": 1e9}, Knobs(5e-4)),
         ("dem", "single-contact", "T4", {"mu": 1e9}, Knobs(5e-4)),
     ],

@@ -132,3 +132,21 @@ def test_a_paper_s_file_must_hold_a_paper_and_files_of_two_dashes_are_none(
     monkeypatch.setattr(imports, "attribute", lambda roots, file, name: 3.0)
     with pytest.raises(ProjectError, match="PAPER is of type float"):
         published.papers(some)
+
+
+def test_past_runs_are_listed_newest_first_and_damaged_ones_are_passed_over(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def head(name: str) -> tuple[str]:
+        if name == "3":
+            raise OSError(5, "damaged")
+        return (f"head of {name}",)
+
+    told: list[Any] = []
+    store = SimpleNamespace(
+        manifests=SimpleNamespace(names=lambda: ["1", "2", "3", "4"], head=head)
+    )
+    monkeypatch.setattr("vv.store.store.Store", lambda _: store)
+    monkeypatch.setattr("vv.output.result_lines.print_runs", told.extend)
+    past_commands.runs(rows=3)
+    assert told == [("4", "head of 4"), ("2", "head of 2")]
