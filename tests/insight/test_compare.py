@@ -24,6 +24,8 @@ from vv.insight.history import history
 from vv.records.job_record import Record
 from vv.store.store import Store
 
+KINDS = ("outcome", "error", "order")
+
 
 def ladder(factor: float = 1.0, slope: float = 2.0, cpu: float = 1.0) -> list[Record]:
     made = []
@@ -170,19 +172,22 @@ def test_runs_are_also_called_by_their_age(tmp_path: Path) -> None:
         manifest_of(store, "last~2", lambda _: "")
 
 
-def test_parameters_that_differ_are_told_before_what_follows_of_them() -> None:
+def test_of_results_at_other_parameters_only_outcomes_are_compared() -> None:
     one = [changed(own, parameters={"m": 1.0, "g": 9.81}) for own in ladder()]
     other = [
         changed(own, parameters={"m": 2.0, "g": 9.81}, modified=True, changed=["m"])
         for own in ladder(3.0)
     ]
-    first, *rest = changes(manifest(*one), manifest(*other))
+    other[0] = requantified(other[0], verdict="fail")
+    beside = [[changed(own, variant="T2") for own in ladder(k, 2.0 * k)] for k in (1.0, 1.2)]
+    first, *rest = changes(manifest(*one, *beside[0]), manifest(*other, *beside[1]))
     assert (first.kind, first.where, first.text) == (
         "parameters",
         "bounce:T1",
-        "m = 1 -> 2; so these are different problems",
+        "m = 1 -> 2; numbers of different problems are not compared",
     )
-    assert {change.kind for change in rest} == {"error"}
+    told = {kind: {c.where.split()[0] for c in rest if c.kind == kind} for kind in KINDS}
+    assert told == {"outcome": {"bounce:T1"}, "error": {"bounce:T2"}, "order": {"bounce:T2"}}
 
 
 def test_history_has_the_newest_result_of_each_scheme_at_a_commit(tmp_path: Path) -> None:

@@ -249,7 +249,7 @@ def test_an_agreement_is_told_below_its_own_variant_alone(
     [
         (None, "two freedoms"),
         ("a/x has no drag", "has no drag"),
-        ("a/y has no drag", "refused: a/y has no drag"),
+        ("a/y has no drag", "not supported: a/y has no drag"),
     ],
 )
 def test_a_scheme_is_told_with_its_model_or_with_what_it_lacks(

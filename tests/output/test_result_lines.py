@@ -68,10 +68,24 @@ def test_settings_without_a_stiffness_are_told_once_beside_the_schemes_that_need
 def test_where_something_was_taken_on_only_schemes_without_any_are_named(told: Told) -> None:
     result_lines.print_refusals([fine(label="exact/default"), refused("fall")])
     (line,) = lines(told)
-    assert line.endswith("; `vv explain bounce` says why")
+    assert line.endswith("; `vv explain fall --rung dt=0.001` says why")
     assert "dem" in line
     result_lines.print_refusals([fine()])
     assert lines(told) == []
+
+
+def test_the_command_that_explains_a_refusal_asks_as_the_run_did(told: Told) -> None:
+    def hint(*given: Record) -> str:
+        result_lines.print_refusals(given)
+        return lines(told)[0].partition("`")[2].partition("`")[0]
+
+    accepted = changed(fine(label="exact/default"), rung={})
+    elsewhere = changed(refused(), modified=True, parameters={"m": 2.0}, changed=["m"])
+    assert hint(accepted, refused()) == "vv explain bounce --rung dt=0.001"
+    assert hint(elsewhere, accepted) == "vv explain bounce --set m=2 --rung dt=0.001"
+    assert hint(refused(), changed(fine(label="exact/default"), rung={"dt": 2e-3})) == (
+        "vv explain bounce"
+    )
 
 
 def test_a_table_is_shown_where_anything_was_taken_on(told: Told) -> None:

@@ -127,10 +127,13 @@ def explain(
     ],
     codes: options.Codes = "*",
     settings: options.Sets = None,
+    level: options.Levels = Level.DEFAULT,
+    rungs: options.Rungs = None,
 ) -> None:
     """Explain a case: source, formula, parameters, tolerances, mapping into codes, results.
 
-    The results are those with the same parameters.
+    The results are those with the same parameters. Whether and how a code runs the case is said
+    for the settings of the level, or those of --rung.
     """
     from vv.output.explain import print_explanation
     from vv.plan.plan import Options
@@ -138,6 +141,6 @@ def explain(
     from vv.store.store import Store
 
     project, named = options.with_programs(find(), codes)
-    chosen = Options(codes=named, settings=tuple(settings or ()))
+    chosen = Options(level, named, tuple(settings or ()), options.knobs(rungs))
     plan = make_plan(project, selection, chosen)
     print_explanation(plan, Store(project.data()).manifests.newest(PAST, terminal.note))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import datetime
 import fnmatch
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -155,34 +154,55 @@ def _judged(record: Record, entries: Iterable[Disagreement], fitted: Mapping[Key
 def _turned(
     record: Record, one: MeasuredQuantity, known: Disagreement, order: Order | None
 ) -> MeasuredQuantity:
-    low, high = known.band(record.rung)
-    in_band = one.error is not None and low <= one.error <= high
-    if known.instead:
-        in_band = _has(record, known.instead, one.tolerance)
     if one.verdict is Verdict.PASS:
-        if in_band and one.tolerance is not None and one.tolerance < high:
-            return one  # the band includes the tolerance, so that a pass is expected too
-        if record.modified:
-            return one  # how far two laws are apart depends on the parameters
-        note = f"passes, though {known.reason}"
-        return dataclasses.replace(one, verdict=Verdict.XPASS, note=note)
-    if one.note:
-        return one  # for example, nothing moves: worse than any disagreement
-    if record.modified and not known.instead:  # bands were measured at the case's own parameters
-        largest = known.elsewhere or max(LARGEST_TOLERANCE, high)
-        in_band = one.error is not None and one.error <= largest
-    slope = order.order if order else math.nan
-    claimed = known.order
-    margin = ELSEWHERE if record.modified else 0.0
-    in_order = (
-        order is None or claimed is None or claimed[0] - margin <= slope <= claimed[1] + margin
-    )
-    if one.verdict is Verdict.FAIL and in_band and in_order:
+        return _turned_pass(record, one, known)
+    if one.verdict is not Verdict.FAIL or one.note:
+        return one  # not judged, or for example nothing moves: worse than any disagreement
+    contrary = _not_as_known(record, one, known, order)
+    if not contrary:
         return dataclasses.replace(one, verdict=Verdict.XFAIL, note=known.reason)
-    error = "no error" if one.error is None else f"error {one.error:.3g}"
-    what = f"order {slope:.3g}" if in_band else error
-    note = f"{what} lies outside the band of the known disagreement"
-    return dataclasses.replace(one, note=note)
+    return dataclasses.replace(one, note=f"{contrary} of the known disagreement")
+
+
+def _turned_pass(record: Record, one: MeasuredQuantity, known: Disagreement) -> MeasuredQuantity:
+    """A quantity that passes although an entry says that it is wrong."""
+    _, high = known.band(record.rung)
+    in_band = _in_band(record, one, known, known.band(record.rung))
+    if in_band and one.tolerance is not None and one.tolerance < high:
+        return one  # the band includes the tolerance, so that a pass is expected too
+    if record.modified:
+        return one  # how far two laws are apart depends on the parameters
+    note = f"passes, though {known.reason}"
+    return dataclasses.replace(one, verdict=Verdict.XPASS, note=note)
+
+
+def _not_as_known(
+    record: Record, one: MeasuredQuantity, known: Disagreement, order: Order | None
+) -> str:
+    """What of a failure is outside the band of an entry, in words; empty if nothing is."""
+    low, high = known.band(record.rung)
+    if record.modified and not known.instead:  # bands were measured at the case's own parameters
+        low, high = 0.0, known.elsewhere or max(LARGEST_TOLERANCE, high)
+    if not _in_band(record, one, known, (low, high)):
+        if known.instead:
+            return f"{known.instead} lacks the exact answer that is part"
+        return f"outside the error band from {low:.3g} to {high:.3g}"
+    if order is None or known.order is None:
+        return ""
+    margin = ELSEWHERE if record.modified else 0.0
+    least, most = known.order[0] - margin, known.order[1] + margin
+    if least <= order.order <= most:
+        return ""
+    return f"order {order.order:.3g} lies outside the band from {least:.3g} to {most:.3g}"
+
+
+def _in_band(
+    record: Record, one: MeasuredQuantity, known: Disagreement, band: tuple[float, float]
+) -> bool:
+    """Whether the error lies in the band, or the quantity `instead` has the exact answer."""
+    if known.instead:
+        return _has(record, known.instead, one.tolerance)
+    return one.error is not None and band[0] <= one.error <= band[1]
 
 
 def _has(record: Record, name: str, tolerance: float | None) -> bool:

@@ -83,11 +83,14 @@ def how_to_make(name: str) -> str:
 def changes(one: Manifest, other: Manifest) -> list[Change]:
     """The differences of `other` from `one`: parameters, outcomes, errors, orders and costs."""
     before, after = _by_place(one.records), _by_place(other.records)
-    shared = [place for place in before if place in after]
-    found = [*_presence(before, after), *_parameter_changes(one.records, other.records)]
-    for place in shared:
-        found += _record_changes(" ".join(p for p in place if p), before[place], after[place])
-    found += _order_changes(orders(one.records), orders(other.records))
+    problems = list(_parameter_changes(one.records, other.records))
+    found, others = [*_presence(before, after), *problems], {change.where for change in problems}
+    for place in before.keys() & after.keys():
+        pair, where = (before[place], after[place]), " ".join(part for part in place if part)
+        found += _outcome_changes(where, *pair)
+        found += () if place[0] in others else _number_changes(where, *pair)
+    moved = _order_changes(orders(one.records), orders(other.records))
+    found += [change for change in moved if change.where.split()[0] not in others]
     kinds = ("parameters", "outcome", "only in A", "only in B", "error", "order", "cost")
     return sorted(found, key=lambda change: (kinds.index(change.kind), -change.size, change.where))
 
@@ -97,14 +100,14 @@ def _by_place(records: Iterable[Record]) -> dict[tuple[str, ...], Record]:
 
 
 def _parameter_changes(one: Iterable[Record], other: Iterable[Record]) -> Iterator[Change]:
-    """The parameters that differ, one line per variant; what follows of it is not like for like."""
+    """The parameters that differ, one line per variant, whose numbers are not compared."""
     before, after = ({(r.case, r.variant): r.parameters for r in own} for own in (one, other))
     for place in before.keys() & after.keys():
         a, b = before[place], after[place]
         moved = [name for name in {**a, **b} if a.get(name) != b.get(name)]
         if moved:
             texts = [f"{name} = {_known(a.get(name))} -> {_known(b.get(name))}" for name in moved]
-            text = f"{', '.join(texts)}; so these are different problems"
+            text = f"{', '.join(texts)}; numbers of different problems are not compared"
             yield Change("parameters", ":".join(place), text)
 
 
@@ -125,10 +128,13 @@ def _presence(
             yield Change(kind, where, f"{count} setting{'s' if count > 1 else ''}")
 
 
-def _record_changes(where: str, one: Record, other: Record) -> Iterator[Change]:
+def _outcome_changes(where: str, one: Record, other: Record) -> Iterator[Change]:
     was, now = outcome(one), outcome(other)
     if was is not now:
         yield Change("outcome", where, f"{was.value} -> {now.value}")
+
+
+def _number_changes(where: str, one: Record, other: Record) -> Iterator[Change]:
     errors = [{q.name: q.error for q in record.quantities} for record in (one, other)]
     for name in errors[0].keys() & errors[1].keys():
         a, b = errors[0][name] or 0.0, errors[1][name] or 0.0

@@ -24,6 +24,7 @@ from vv.output.wording import in_words, scaled
 from vv.plan.plan import Job, Plan
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
+from vv.records.outcomes import Outcome
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import changed
 from vv.records.recorded import RecordedResult
@@ -94,7 +95,8 @@ def _model_or_refusal(plan: Plan, job: Job) -> str:
         return plan.adapters[job.code].describe(job.ask, job.scheme).note
     reason = job.settled.reason
     lacks = reason.removeprefix(f"{job.code}/{job.scheme} ")
-    return f"{job.settled.status.value}: {reason}" if lacks == reason else lacks
+    came = in_words(Outcome(job.settled.status.value))
+    return f"{came}: {reason}" if lacks == reason else lacks
 
 
 def _explain_quantity(quantity: Quantity, judge: Judge) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -18,7 +19,7 @@ from vv.records.finding import Finding, worst_first
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest, Provenance
 from vv.records.outcomes import Outcome
-from vv.records.reading import tried
+from vv.records.reading import rung, settings, tried
 
 INERT = ": inert, "  # the words of a plan in the note of a record
 
@@ -36,7 +37,7 @@ def print_refusals(records: Sequence[Record]) -> None:
     """Print the schemes that refused everything in one line; if all did, also the reasons."""
     if any(map(tried, records)):
         if text := unsupported(records):
-            note(f"{text}; `vv explain {_case(records)}` says why")
+            note(f"{text}; `{_explained(records)}` says why")
         if any(NO_STIFFNESS in record.reason for record in records):
             note(NO_STIFFNESS)
         return
@@ -55,6 +56,18 @@ def _case(records: Iterable[Record]) -> str:
     given = list(records)
     failed = (record.case for record in given if outcome(record) in FAILED)
     return next(failed, given[0].case if given else "CASE")
+
+
+def _explained(records: Sequence[Record]) -> str:
+    """The command that says why schemes refuse a case, as it was run."""
+    took = {record.label for record in filter(tried, records)}
+    case = next(record.case for record in records if record.label not in took)
+    own = [record for record in records if record.case == case]
+    rungs = {rung(record) for record in own} - {""}
+    words = [word for text in settings(own[0]) for word in ("--set", text)]
+    if len(rungs) == 1:
+        words += ["--rung", *rungs]
+    return shlex.join(["vv", "explain", case, *words])
 
 
 def print_inert(records: Iterable[Record]) -> None:

@@ -59,7 +59,23 @@ def test_a_failure_outside_its_bands_is_told_with_three_digits() -> None:
         )
         return told.quantities[0].note
 
-    assert note(37.9962954901982).startswith("error 38 lies outside the band")
+    of = "of the known disagreement"
+    assert note(37.9962954901982) == f"outside the error band from 0.005 to 0.02 {of}"
+
+
+def test_a_failure_of_another_order_is_told_with_the_orders_that_are_known() -> None:
+    told = judge(ladder(slope=1.5), [Disagreement(**{**KNOWN, "error": (3e-3, 3e-2)})], TODAY)
+    lies = "order 1.5 lies outside the band from 0.9 to 1.1"
+    assert {r.quantities[0].note for r in told} == {f"{lies} of the known disagreement"}
+    assert {r.quantities[0].verdict for r in told} == {Verdict.FAIL}
+
+
+def test_a_failure_away_from_the_defaults_is_told_with_the_band_that_holds_there() -> None:
+    one = changed(record("dem/default", "T1", 1e-3), modified=True, parameters={"m": 2.0})
+    one = changed(one, quantities=[entry("fail", {"max": 0.7})])
+    (told,) = judge([one], [Disagreement(**{**KNOWN, "elsewhere": 0.6})], TODAY)
+    of = "of the known disagreement"
+    assert told.quantities[0].note == f"outside the error band from 0 to 0.6 {of}"
 
 
 def test_a_pass_inside_a_band_that_reaches_below_the_tolerance_is_a_pass() -> None:
