@@ -31,7 +31,7 @@ BUGS = (
     Bug("what never moves passes", RECORD, "np.ptp(value) == 0 and", "np.ptp(value) < 0 and", tests=MEASURED),
     Bug("a tolerance above the largest", JUDGES, "return min(LARGEST_TOLERANCE, max(self.floor, bound))", "return max(self.floor, bound)", tests="tests/case"),
     Bug("a band of a disagreement open below", DISAGREEMENT, "band[0] <= one.error <= band[1]", "one.error <= band[1]", tests=GATE),
-    Bug("any order is known", DISAGREEMENT, "and in_band and in_order:", "and in_band:", tests=GATE),
+    Bug("any order is known", DISAGREEMENT, "if least <= order.order <= most:", "if least <= most:", tests=GATE),
     Bug("an expired entry excuses", EXPIRY, "entry.expires >= today.isoformat()", "entry.expires >= ''", tests=GATE),
     Bug("a missing code that is required is no matter", JUDGEMENT, "Status.NOT_INSTALLED: (Bit(0), Bit.INCOMPLETE)", "Status.NOT_INSTALLED: (Bit(0), Bit(0))", tests=GATE),
     Bug("the least of an audit instead of the largest", DDA_AUDIT, "worst[ADRIFT] = larger(worst[ADRIFT], abs(off))", "worst[ADRIFT] = larger(worst[ADRIFT], -abs(off))", tests="tests/engines/dda"),
