@@ -68,14 +68,20 @@ def cases_of(file: str) -> list[str]:
 
 @functools.cache
 def tests_of(what: str) -> tuple[str, ...]:
-    """The files of tests that name a case or import a file of cases/."""
+    """The files of tests that name a case or import a file of cases/, or read what papers do."""
     name = what.removesuffix(".py").replace("/", ".")
     folder, _, stem = name.rpartition(".")
     imported = rf"from {re.escape(name)} import|from {re.escape(folder)} import .*\b{stem}\b"
-    word = re.compile(rf"""["']{re.escape(what)}["':]|{imported}""")
-    files = sorted((ROOT / "tests" / "cases").rglob("test_*.py"))
-    own = [path.relative_to(ROOT).as_posix() for path in files if word.search(path.read_text())]
-    return (*PAPERS, *own) if what.startswith("cases/papers/") else tuple(own)
+    own = _naming(rf"""["']{re.escape(what)}["':]|{imported}""", ROOT / "tests" / "cases", "test_*")
+    stated = what.startswith("cases/papers/") or _naming(imported, ROOT / "cases" / "papers", "*")
+    return (*PAPERS, *own) if stated else own
+
+
+def _naming(pattern: str, folder: Path, names: str) -> tuple[str, ...]:
+    word, files = re.compile(pattern), sorted(folder.rglob(f"{names}.py"))
+    return tuple(
+        path.relative_to(ROOT).as_posix() for path in files if word.search(path.read_text())
+    )
 
 
 def changed_page(project: Path, case: str) -> bool:

@@ -16,10 +16,12 @@ from types import CodeType, FunctionType, MappingProxyType
 
 import pytest
 
+from bench.mutation.cpu_time import Allowance
 from bench.mutation.forked_tests import LIMIT, OWN, REWRITTEN
 from bench.mutation.framework_sites import Mutant
 
 SLOW = 20.0  # a process may take this many times its CPU time on a busy machine
+_ALLOWED: list[Allowance] = []  # in a fork, its own
 
 
 class Collected:
@@ -51,11 +53,11 @@ class Collected:
     ) -> Iterator[tuple[str, bool]]:
         """Run tests in this process; yield the name of each, and whether it passes.
 
-        limits: the CPU time [s] of a test after which this process is ended.
+        limits: the CPU time [s] of a test after which this process, a fork, is ended.
         """
         for name, after in zip(names, [*names[1:], None], strict=True):
             if name in limits:
-                signal.setitimer(signal.ITIMER_PROF, limits[name])
+                _ALLOWED[0].renew(limits[name])
             item, following = self.tests[name], after and self.tests[after]
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=following or None)
             yield name, name not in self.red
@@ -130,15 +132,16 @@ def collected(project: Path, tests: Iterable[str], work: Callable[[Collected], N
 def forked(work: Callable[[], None], seconds: float) -> int:
     """Call `work` in a silent fork with a limit of CPU time; its children are ended afterwards."""
     sys.stdout.flush()
+    allowed = Allowance(seconds)
     child = os.fork()
     if child == 0:
         os.setsid()
         signal.alarm(max(LIMIT, int(SLOW * seconds)))  # for processes that wait and use no CPU time
-        signal.setitimer(signal.ITIMER_PROF, seconds)
+        _ALLOWED[:] = [allowed]
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         os.dup2(1, 2)
         _ended(work)
-    status = os.waitpid(child, 0)[1]
+    status = allowed.waited(child)
     try:
         os.killpg(child, signal.SIGKILL)
     except ProcessLookupError:  # it has no processes left

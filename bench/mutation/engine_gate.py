@@ -16,7 +16,7 @@ import xml.etree.ElementTree as Xml
 from collections.abc import Iterable
 from pathlib import Path
 
-from bench.mutation.switch import NUMBER
+from bench.mutation.in_copy.switch import NUMBER
 
 SPENT = 200.0  # s of CPU time, many times the usual, after which a gate counts as hung
 HANGS = "ends without a verdict"

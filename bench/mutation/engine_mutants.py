@@ -5,8 +5,9 @@ with equal probability, compiled or not; `--files 'vv/engines/dem/*'` from some.
 drawn mutants; its tests are collected once, and each mutant is switched on in a fork of that
 process, so that kernels are compiled once. Hangs are detected by CPU time, which does not depend on
 the load of the machine. Mutants that the tests of the engines do not detect are run in the quick
-gates of the codes that contain them. If a gate is red without a mutant, or more tests fail than
-rounding by the branches explains, the bench ends without a judgement.
+gates of the codes that contain them; those that the gates do not detect, on the tests that the
+branches between mutants turn red, see `left_out`. If a gate is red without a mutant, or more tests
+fail than the branches explain, the bench ends without a judgement.
 """
 
 import argparse
@@ -24,14 +25,14 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from bench.evidence import conclude
-from bench.mutation import engine_gate
+from bench.mutation import engine_gate, left_out
 from bench.mutation.collected_tests import Collected, collected, fitting, forked
 from bench.mutation.forked_tests import with_tests
 from bench.mutation.framework_mutants import NEEDS, survival
 from bench.mutation.framework_sites import is_equivalent, named
+from bench.mutation.in_copy.switch import NUMBER
 from bench.mutation.mutants import ROOT, Mutant, all_places, parsed, turned
-from bench.mutation.schemata import build, switchable
-from bench.mutation.switch import NUMBER
+from bench.mutation.schemata import as_in_copy, build, switchable
 from vv.base.closure import import_closure
 from vv.base.files import write_whole
 from vv.plan.keys import roots
@@ -42,7 +43,6 @@ TESTS = ("tests/engines",)
 LONGEST = 60.0  # s of CPU time for the tests of one mutant
 SPARE, HANGING = 10.0, 3.0  # a test hangs after HANGING times its usual CPU time and SPARE s
 AMISS = 0.05  # fraction of tests that may fail: some count sweeps or steps, which rounding changes
-PLAIN = "tests/support/plain.py"
 COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compiled
 
 
@@ -130,29 +130,29 @@ def those_green(seconds: dict[str, float]) -> dict[str, float]:
     """The tests that pass without a mutant; ends the bench if too many fail."""
     red = [name for name, spent in seconds.items() if spent == float("inf")]
     engine_gate.require_green(red if len(red) > AMISS * len(seconds) else [])
-    print(f"red without a mutant and left out: {', '.join(red) or 'none'}", flush=True)
+    print(f"red by the branches, asked last: {', '.join(red) or 'none'}", flush=True)
     return {name: spent for name, spent in seconds.items() if name not in red}
 
 
 def by_tests(
     project: Path, tests: Iterable[str], numbers: dict[Mutant, int], longest: float
-) -> dict[str, str]:
-    """Mutant -> the test that detects it; '' if none does."""
+) -> tuple[dict[str, str], list[str]]:
+    """Mutant -> the test that detects it, '' if none does; and the tests that were not run."""
     kept = project / "told.json"
 
     def put(collected: Collected) -> None:
         asked, told = Asked(collected, green(collected, kept), longest), {}
-        left = len(collected.tests) - len(asked.seconds)
+        left = [one for one in collected.tests if one not in asked.seconds]
         spent = sum(asked.seconds.values())
-        print(f"{len(asked.seconds)} tests in {spent:.0f} s, {left} left out", flush=True)
+        print(f"{len(asked.seconds)} tests in {spent:.0f} s, {len(left)} left out", flush=True)
         for one, number in numbers.items():
             told[one.what] = asked.red_of(one, number) or ""
             print(f"{told[one.what] or 'no test':<60} {one.what}", flush=True)
-        kept.write_text(json.dumps(told))
+        kept.write_text(json.dumps([told, left]))
 
     collected(project, tests, put)
-    told: dict[str, str] = json.loads(kept.read_text())
-    return told
+    told, left = json.loads(kept.read_text())
+    return told, left
 
 
 def codes_of(mutant: Mutant) -> Iterator[str]:
@@ -163,26 +163,21 @@ def codes_of(mutant: Mutant) -> Iterator[str]:
             yield code
 
 
-def lazy(plain: bytes) -> bytes:
-    """The file by which tests run kernels as plain Python, with code by `vv.switch_plain`."""
-    given, ours = b"FunctionType(function.__code__,", b"FunctionType(lazily(function),"
-    assert given in plain, f"{PLAIN} has changed"
-    first, needs = b"from vv.engines.kernels import", b"from vv.switch_plain import lazily\n"
-    return plain.replace(given, ours).replace(first, needs + first)
-
-
 def told_of(chosen: Sequence[Mutant], tests: Iterable[str], longest: float) -> dict[str, str]:
     """Mutant -> the test or gate that detects it."""
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
         numbers = build(project, chosen)
         for name, content in with_tests().items():
-            write_whole(project / name, lazy(content) if name == PLAIN else content)
+            write_whole(project / name, as_in_copy(name, content))
         own = {one: numbers[one.what] for one in chosen}
-        told = by_tests(project, tests, own, longest)
+        told, left = by_tests(project, tests, own, longest)
         for one in (one for one in chosen if not told[one.what]):
             told[one.what] = engine_gate.seeing(project, codes_of(one), own[one])
-            print(f"{told[one.what] or 'UNSEEN':<60} {one.what}", flush=True)
+            print(f"{told[one.what] or 'no gate':<60} {one.what}", flush=True)
+    for what, by in left_out.seeing(left, [one for one in chosen if not told[one.what]]).items():
+        told[what] = by
+        print(f"{by or 'UNSEEN':<60} {what}", flush=True)
     return told
 
 

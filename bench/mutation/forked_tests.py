@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from bench.mutation.cpu_time import Allowance
 from bench.mutation.mutants import ROOT
 
 PROCESSES = {
@@ -58,7 +59,7 @@ def passes(project: Path, *tests: str, processes: bool | None = None) -> bool:
             os._exit(_tested(project, tests, processes))
         finally:
             os._exit(2)
-    return os.waitpid(child, 0)[1] == 0
+    return Allowance(SPENT).waited(child) == 0
 
 
 @functools.cache
@@ -69,7 +70,6 @@ def green(project: Path, tests: str, processes: bool) -> bool:
 
 def _tested(project: Path, tests: Sequence[str], processes: bool | None) -> int:
     signal.alarm(LIMIT)
-    signal.setitimer(signal.ITIMER_PROF, SPENT)
     sys.dont_write_bytecode = False  # so that the next process reads it
     os.chdir(project)
     os.environ["PYTHONPATH"] = str(project)

@@ -21,9 +21,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bench.evidence import conclude
+from bench.mutation.in_copy.switch import NUMBER
 from bench.mutation.mutants import ROOT, mechanical
 from bench.mutation.schemata import build, copied, sources
-from bench.mutation.switch import NUMBER
 from vv.base.closure import source_digest
 from vv.base.files import write_whole
 from vv.records.finding import Bit

@@ -22,8 +22,17 @@ KERNEL = (
 )  # fmt: skip
 PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "at", "cross",
         "add_scaled")  # fmt: skip
-# files here that the copy has in vv/
-SWITCHES = ("switch", "switch_compiled", "switch_plain")
+# the copy has these files in vv/
+HERE = Path(__file__).parent / "in_copy"
+SWITCHES = ("switch", "switch_compiled", "switch_numba", "switch_plain")
+AS_PYTHON = {  # what runs kernels as plain Python in tests, and what does so in the copy
+    "tests/support/plain.py": (
+        "FunctionType(function.__code__,", "FunctionType(lazily(function),",
+    ),
+    "tests/engines/conftest.py": (
+        "kernel.__wrapped__(*arguments)", "plainly(kernel.__wrapped__)(*arguments)",
+    ),
+}  # fmt: skip
 
 
 def build(folder: Path, mutants: Sequence[Mutant]) -> dict[str, int]:
@@ -36,8 +45,7 @@ def build(folder: Path, mutants: Sequence[Mutant]) -> dict[str, int]:
     for file in {m.file for m in mutants}:
         own = {m.place: numbers[m.what] for m in mutants if m.file == file and m.what in numbers}
         changed[file] = _switched(file, own).encode()
-    here = Path(__file__).parent
-    changed |= {f"vv/{name}.py": (here / f"{name}.py").read_bytes() for name in SWITCHES}
+    changed |= {f"vv/{name}.py": (HERE / f"{name}.py").read_bytes() for name in SWITCHES}
     copied(folder, changed)
     return numbers
 
@@ -60,6 +68,16 @@ def copied(folder: Path, changed: Mapping[str, bytes]) -> None:
         path = folder / name
         if not path.is_file() or path.read_bytes() != content:
             write_whole(path, content)
+
+
+def as_in_copy(name: str, content: bytes) -> bytes:
+    """A file of tests as the copy has it: kernels in Python compute one side of a choice alone."""
+    if name not in AS_PYTHON:
+        return content
+    (given, ours), text = AS_PYTHON[name], content.decode()
+    assert given in text, f"{name} has changed"
+    first, needs = "from vv.engines.kernels", "from vv.switch_plain import lazily, plainly\n"
+    return text.replace(given, ours).replace(first, needs + first, 1).encode()
 
 
 def switchable(mutant: Mutant) -> bool:
@@ -105,7 +123,7 @@ def _switched(file: str, numbers: dict[int, int]) -> str:
 @functools.cache
 def _version() -> str:
     """The digest of this generator, by which stale compiled kernels are recognised."""
-    return source_digest([Path(__file__).parent / f"{name}.py" for name in SWITCHES])[:12]
+    return source_digest([HERE / f"{name}.py" for name in SWITCHES])[:12]
 
 
 class _Switch(ast.NodeTransformer):

@@ -14,9 +14,9 @@ import pytest
 from bench.mutation import case_mutants, engine_gate, engine_mutants, forked_tests
 from bench.mutation.engine_gate import Red
 from bench.mutation.framework_sites import named, turnable
+from bench.mutation.in_copy.switch import NUMBER
 from bench.mutation.mutants import ROOT, Mutant, all_places, parsed, turned
 from bench.mutation.schemata import switchable
-from bench.mutation.switch import NUMBER
 
 
 def test_mutants_of_engines_are_drawn_anew_with_every_seed_and_can_be_switched_on() -> None:
@@ -89,6 +89,11 @@ def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_record_gate_and
     assert case_mutants.tests_of("cases/impact/_oblique.py") == (least,)
     gas = "tests/cases/bulk/test_homogeneous_cooling.py"
     assert case_mutants.tests_of("cases/bulk/homogeneous_cooling.py") == (gas,)
+
+
+def test_a_mutant_of_what_statements_of_papers_use_is_put_to_tests_of_the_papers_too() -> None:
+    for file in ("cases/papers/_liu_2017.py", "cases/bonds/_quartzite_lattice.py"):
+        assert case_mutants.tests_of(file)[:2] == case_mutants.PAPERS
 
 
 def test_the_gate_is_not_asked_of_a_case_that_it_does_not_run_quickly() -> None:

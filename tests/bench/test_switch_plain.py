@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from bench.mutation.engine_mutants import PLAIN, lazy
-from bench.mutation.switch_plain import lazily
+from bench.mutation.in_copy.switch_plain import lazily, plainly
+from bench.mutation.schemata import AS_PYTHON, as_in_copy
 from tests import ROOT
 
 SOURCE = """
@@ -39,7 +39,25 @@ def test_what_would_divide_by_zero_is_run_where_it_is_chosen_alone(tmp_path: Pat
         of_copy(tmp_path / "kernels.py", on=3)(3.0, 2.0)
 
 
-def test_tests_of_the_copy_run_kernels_in_this_way() -> None:
-    text = lazy((ROOT / PLAIN).read_bytes()).decode()
-    assert "FunctionType(lazily(function), names" in text
-    assert "import lazily\n" in text
+def test_a_function_without_choices_is_run_as_it_is() -> None:
+    assert plainly(of_copy).__code__ is of_copy.__code__
+
+
+@pytest.mark.parametrize(
+    ("name", "way"),
+    [
+        ("tests/support/plain.py", "FunctionType(lazily(function), names"),
+        ("tests/engines/conftest.py", "return plainly(kernel.__wrapped__)(*arguments)"),
+    ],
+)
+def test_tests_of_the_copy_run_kernels_in_this_way(name: str, way: str) -> None:
+    text = as_in_copy(name, (ROOT / name).read_bytes()).decode()
+    assert way in text
+    assert text.count("import lazily, plainly\n") == 1
+    assert len(AS_PYTHON) == 2
+
+
+def test_other_files_are_copied_as_they_are() -> None:
+    assert as_in_copy("tests/conftest.py", b"kernel.__wrapped__(*arguments)") == (
+        b"kernel.__wrapped__(*arguments)"
+    )

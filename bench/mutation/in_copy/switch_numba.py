@@ -1,18 +1,16 @@
-"""Lets kernels ask which mutant is on; the copy that holds mutants has it as vv/switch_compiled.py.
-
-The number is a word of the process that kernels read each time: it is no part of what is compiled.
-"""
+"""Tells numba how kernels ask which mutant is on; the copy has it as vv/switch_numba.py."""
 
 import ctypes
+from collections.abc import Callable
 from typing import Any
 
 import llvmlite.binding
 from llvmlite import ir
 from numba.core import types
+from numba.core.registry import cpu_target
 from numba.extending import intrinsic, overload
-from vv.switch import ON, on  # type: ignore[import-not-found]  # it is there in the copy
+from vv.switch_compiled import WORD, either, on  # type: ignore[import-not-found]  # in the copy
 
-WORD = ctypes.c_int64(ON)
 llvmlite.binding.add_symbol("vv_mutant", ctypes.addressof(WORD))
 
 
@@ -31,18 +29,20 @@ def _word(typing_context: Any) -> Any:
 word: Any = intrinsic(_word)
 
 
-@overload(on)
+@overload(on.function)
 def _on(number):  # type: ignore[no-untyped-def]  # numba compares the signatures
     return lambda number: word() == number
 
 
-def either(number: int, old: Any, new: Any) -> Any:
-    """What is there, or what a mutant makes of it; where that is a whole number, one again."""
-    return new if on(number) else old
-
-
-@overload(either)
+@overload(either.function)
 def _either(number, old, new):  # type: ignore[no-untyped-def]
     if isinstance(old, types.Integer):
         return lambda number, old, new: int(new) if word() == number else old
     return lambda number, old, new: new if word() == number else old
+
+
+def type_of(function: Callable[..., Any]) -> Any:
+    """numba's type of one of these functions."""
+    context: Any = cpu_target.typing_context
+    context.refresh()
+    return context.resolve_value_type(function)

@@ -1,0 +1,1 @@
+"""Files that the copy with mutants has in vv/."""
