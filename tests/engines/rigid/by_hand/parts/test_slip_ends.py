@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from types import SimpleNamespace
 from typing import Any
 
@@ -88,3 +89,23 @@ def test_a_fast_slip_that_goes_on_is_searched_as_others(monkeypatch: pytest.Monk
     told = Slips(monkeypatch, 0.4 * DT, 2.0 * LEAST)
     assert 0.4 - CLOSE <= told.found() <= 0.4
     assert told.spans[0] == CLOSE * DT
+
+
+def test_guesses_that_are_too_late_step_back_by_ever_longer_ways(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """First by half of the accuracy, then by the mean of the step back and of what is left.
+
+    The slip ends at 0.6; the guess after the trial at 0.5, which is the last one in time, is 0.95.
+    The mean is the geometric one, so that any distance is covered in a few trials.
+    """
+    monkeypatch.setattr(events, "zero_after", lambda *_: 0.95 * DT)
+    told = Slips(monkeypatch, 0.6 * DT, 0.9 * LEAST)
+    assert 0.6 - CLOSE <= told.found() <= 0.6
+    guess, back, wanted = 0.95 + 0.25 * CLOSE, 0.0, [0.5]
+    while guess > 0.6:
+        wanted.append(guess)
+        back = math.sqrt(back * (guess - 0.5)) if back else 0.5 * CLOSE
+        guess -= back
+    assert len(wanted) >= 5
+    assert np.array(told.spans[: len(wanted)]) / DT == pytest.approx(np.array(wanted), rel=1e-12)

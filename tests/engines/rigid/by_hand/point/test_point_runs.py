@@ -77,6 +77,12 @@ def test_a_mass_that_falls_without_friction_loses_what_it_had_along_the_normal()
     assert np.abs(run.energy[:, SHOVED]).max() <= 1e-15
 
 
+def test_a_mass_that_is_just_above_its_plane_comes_down_to_it_before_it_lands() -> None:
+    """It lands at 5e-6 of the first step; the plane does not hold it where it began."""
+    run = Moved(2, gap=5e-8, v=(0.0, 0.0, -1.0))
+    assert run.x[1:, 2] == pytest.approx([-5e-8, -5e-8], abs=1e-15)
+
+
 @pytest.mark.parametrize("stride", [1, 4])
 def test_a_mass_slides_down_until_it_stops_and_stays(stride: int) -> None:
     """At 0.3 m/s it stops within a step, which is divided there; a load adds to its weight."""
