@@ -21,7 +21,7 @@ def unknowns_of(block: Block, axes: Vector) -> tuple[Vector, Vector, Vector]:
         pair = np.outer(axes[i], axes[j])
         fields.append((np.zeros(3), pair if i == j else 0.5 * (pair + pair.T)))
     stiffness = np.zeros((len(fields), len(fields)))
-    if block.elastic and block.strains:
+    if block.elastic:
         volume, _ = volume_and_centroid(block.vertices, block.faces)
         stiffness[rigid:, rigid:] = volume * hooke(block.elastic, block.strains)
     line = np.array([field[0] for field in fields]).reshape(-1, 3)
