@@ -56,7 +56,7 @@ class Draw:
 
 
 def draw(case: Case, variant: str, chance: np.random.Generator) -> Draw:
-    """Random values for a variant, to three digits; parameters that are zero stay zero."""
+    """Random values for a variant, to three digits; zeros stay zero, and counts are whole."""
     usual = {name: value for name, value in case.defaults(variant).items() if value}
     names = list(usual)
     if chance.random() < 0.5:
@@ -64,7 +64,11 @@ def draw(case: Case, variant: str, chance: np.random.Generator) -> Draw:
     else:
         few = chance.choice(len(names), min(len(names), int(chance.integers(1, 4))), replace=False)
         factors = {names[i]: FAR ** chance.uniform(-1, 1) for i in sorted(few)}
-    given = tuple(f"{name}={usual[name] * factor:.3g}" for name, factor in factors.items())
+    counts = {parameter.name for parameter in case.parameters if parameter.whole}
+    given = tuple(
+        f"{name}={usual[name] * factor:{'.0f' if name in counts else '.3g'}}"
+        for name, factor in factors.items()
+    )
     return Draw(case.name, variant, given)
 
 

@@ -281,8 +281,8 @@ CASE = Case(
         "plane facade of our own design takes its place.",
     ),
     parameters=(
-        Parameter("columns", 6.0, "", "blocks along the facade"),
-        Parameter("courses", 5.0, "", "courses of blocks"),
+        Parameter("columns", 6.0, "", "blocks along the facade", whole=True),
+        Parameter("courses", 5.0, "", "courses of blocks", whole=True),
         Parameter("mu", 0.6, "", "friction coefficient"),
         Parameter("D", 0.05, "m", "amplitude of the base"),
         Parameter("f", 2.0, "Hz", "its frequency"),

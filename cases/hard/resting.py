@@ -191,8 +191,8 @@ CASE = Case(
         "contacts closed and shear springs slack at t = 0, in the positions of equilibrium.",
     ),
     parameters=(
-        Parameter("n", 6.0, "", "spheres in a long row"),
-        Parameter("rows", 6.0, "", "rows, alternately long and short"),
+        Parameter("n", 6.0, "", "spheres in a long row", whole=True),
+        Parameter("rows", 6.0, "", "rows, alternately long and short", whole=True),
         Parameter("m", 1.3, "kg", "mass of a sphere"),
         Parameter("kn", 1e6, "N/m", "normal contact stiffness"),
         Parameter("ks", 8e5, "N/m", "shear contact stiffness"),

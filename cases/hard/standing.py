@@ -224,7 +224,7 @@ CASE = Case(
     ),
     parameters=(
         Parameter("size", 1.0, "m", "side of a block, mean radius of the arch"),
-        Parameter("n", 10.0, "", "number of blocks in the stack"),
+        Parameter("n", 10.0, "", "number of blocks in the stack", whole=True),
         Parameter("part", 1.01, "", "thickness of the arch over the smallest at which it stands"),
         Parameter("mu", 0.6, "", "friction coefficient"),
         Parameter("g", 9.81, "m/s2", "gravity"),

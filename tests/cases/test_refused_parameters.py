@@ -56,6 +56,10 @@ def test_a_parameter_that_leaves_no_answer_is_refused(
     [
         ("bounce:floor kn=1", "with kn = 1.0 N/m: the contact sticks or slips for less than"),
         ("bounce:floor mu=0", "mu = 0.0; it must be positive, since friction ends slip"),
+        (
+            "mfix:dem03 H=7.47e-4",
+            "H = 0.000747 m: a contact opens; the answer holds",
+        ),
         ("incline:gravity-5 phi=-5", "phi = -5.0 deg; a friction angle must be from 0"),
         ("incline:gravity-5 phi=95", "phi = 95.0 deg; a friction angle must be from 0"),
         ("single-contact:T2 eta=2e12", "eta = 2000000000000.0 N s/m; .* N s/m, critical damping"),

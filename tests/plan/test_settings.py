@@ -9,6 +9,7 @@ from vv.base.errors import UsageError
 from vv.case import Case, Parameter, Sign, Source, Variant
 from vv.plan.settings import parse_knobs, parse_value
 
+COUNTED = Parameter("n", 6.0, "", "blocks", whole=True)
 SPEED = Parameter("speed", 1.0, "m/s", "a speed")
 
 
@@ -64,11 +65,17 @@ def test_units_are_converted(typed: str, value: float) -> None:
         (Parameter("ks", 1.0, "N/m", "spring"), "-1", "ks = -1.0 N/m; it must not be negative"),
         (Parameter("f", 1.0, "Hz", "frequency"), "-1", "f = -1.0 Hz; it must not be negative"),
         (Parameter("R", 1.0, "m", "size", Sign.POSITIVE), "0", "R = 0.0 m; it must be positive"),
+        (
+            Parameter("n", 6.0, "", "blocks", whole=True),
+            "7.95",
+            "n = 7.95; it must be a whole number",
+        ),
+        (COUNTED, "nan", "n = nan; it must be finite"),
         (SPEED, "1e308 km/s", "speed = inf m/s; it must be finite"),
         (SPEED, "nan", "speed = nan m/s; it must be finite"),
     ],
 )
-def test_a_value_of_the_wrong_sign_is_refused_by_its_rule(
+def test_a_value_that_breaks_a_rule_is_refused_by_it(
     parameter: Parameter, typed: str, rule: str
 ) -> None:
     with pytest.raises(UsageError) as refused:

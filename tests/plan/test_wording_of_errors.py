@@ -103,7 +103,10 @@ def test_a_formula_that_fails_at_the_defaults_too_is_a_fault_of_the_case(m: floa
 
 
 def test_a_formula_that_fails_away_from_the_defaults_is_told_with_the_value() -> None:
-    far = case_that(lambda p: SimpleNamespace(quantities=[1.0][int(p["m"]) - 1 :][0] and ()))
+    study = SimpleNamespace(goal=SimpleNamespace(duration=1.0))
+    far = case_that(
+        lambda p: SimpleNamespace(study=study, quantities=[1.0][int(p["m"]) - 1 :][0] and ())
+    )
     assert planning.declare_trial(far, "up", {"m": 1.0})
     with pytest.raises(UsageError, match=r"fall:up: with m = 2\.0 kg: .* default is m = 1\.0 kg"):
         planning.declare_trial(far, "up", {"m": 2.0})

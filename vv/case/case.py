@@ -49,7 +49,8 @@ class Parameter:
     """A physical parameter that `--set` may change, with its default value in `unit`.
 
     sign: by default that of its unit: a mass is positive, a stiffness not negative, a length may
-    be either. Raises ValueError for a default that breaks the rule, as a Case does for a variant's.
+    be either. whole: it counts things, and takes whole numbers alone. Raises ValueError for a
+    default that breaks a rule, as a Case does for a variant's.
     """
 
     name: str
@@ -57,15 +58,18 @@ class Parameter:
     unit: str
     meaning: str
     sign: Sign | None = None
+    whole: bool = False
 
     def __post_init__(self) -> None:
         self.checked(self.value)
 
     def checked(self, value: float) -> float:
-        """The value; raises ValueError with the rule unless it is finite and of the right sign."""
+        """The value; raises ValueError with the rule that it breaks: sign, finite or whole."""
         sign = self.sign or SIGN_OF_UNIT.get(self.unit, Sign.ANY)
         wrong = (sign is Sign.POSITIVE and value <= 0) or (sign is Sign.NOT_NEGATIVE and value < 0)
         rule = sign.value if wrong else "" if math.isfinite(value) else "must be finite"
+        if not rule and self.whole and not value.is_integer():
+            rule = "must be a whole number"
         if rule:
             raise ValueError(f"{self.name} = {value!r} {self.unit}".strip() + f"; it {rule}")
         return value

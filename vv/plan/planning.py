@@ -31,6 +31,7 @@ from vv.plan.rejections import rejection, stated
 from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.plan.settings import parameters_with_settings
 
+SAMPLES = 401  # times at which series are evaluated for changed parameters
 PATIENCE = 20.0  # limit of CPU time [s] for the references of a variant at changed parameters
 REFUSED = (ValueError, ArithmeticError, RuntimeError)
 FAR = (*REFUSED, LookupError, MemoryError, TypeError)  # formulas also raise these at far values
@@ -123,7 +124,7 @@ def _evaluated(case: Case, variant: str, parameters: Mapping[str, float]) -> Tri
     # what is not finite is refused where data are created
     with time_limit(PATIENCE), np.errstate(all="ignore"):
         trial = case.declare(variant, parameters)
-        _evaluate_references(trial.quantities)
+        _evaluate_references(trial.quantities, trial.study.goal.duration)
     return trial
 
 
@@ -139,12 +140,16 @@ def _fails_at_defaults(case: Case, variant: str) -> bool:
     return False
 
 
-def _evaluate_references(quantities: Iterable[Quantity]) -> None:
-    """Evaluate the reference and scale of every quantity; raises what they raise."""
+def _evaluate_references(quantities: Iterable[Quantity], duration: float) -> None:
+    """Evaluate the reference and scale of every quantity; raises what they raise.
+
+    Series are evaluated at times throughout the run: an answer may end before it.
+    """
+    times = np.linspace(0.0, duration, SAMPLES)
     for quantity in quantities:
         if isinstance(quantity, Series):
             if quantity.reference is not None:
-                quantity.reference(np.zeros(1))
+                quantity.reference(times)
         elif quantity.reference is not None:
             evaluated(quantity.reference)
         if not isinstance(quantity, Count) and quantity.scale is not None:
