@@ -166,3 +166,8 @@ def test_several_shakings_have_one_name_and_a_tiny_sphere_is_seen() -> None:
 
 def test_an_oblique_view_turns_a_scene_and_does_not_distort_it() -> None:
     assert pytest.approx(np.eye(2), abs=0.01) == OBLIQUE @ OBLIQUE.T
+
+
+@pytest.mark.parametrize("tie", [132.05, 147.95, -0.25, 0.35])
+def test_a_coordinate_is_alike_where_rounding_made_or_broke_a_tie(tie: float) -> None:
+    assert len({scene_drawing._number(tie + off) for off in (-3e-14, 0.0, 3e-14)}) == 1

@@ -78,7 +78,8 @@ def shapes(seen: Sketch) -> Iterator[str]:
 
 
 def _number(value: float) -> str:
-    text = f"{value:.1f}"
+    """A coordinate with one digit, alike on all machines where rounding made or broke a tie."""
+    text = f"{round(value, 6):.1f}"
     return text.removesuffix(".0") if text != "-0.0" else "0"
 
 
