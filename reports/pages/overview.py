@@ -11,13 +11,12 @@ from dataclasses import dataclass
 from reports.book import Book, Place
 from reports.marks import Mark
 from reports.outcomes import ShownOutcome
+from reports.variant.advice import TARGETS
 from reports.variant.ranking import ranks
 from reports.variant.reading import TARGET
 from vv.insight.accuracy_cost import error_cost
 from vv.insight.effort import untimed_costs
 from vv.insight.stability_summary import Kind
-
-TARGETS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 
 
 @dataclass(frozen=True)

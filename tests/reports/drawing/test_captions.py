@@ -40,6 +40,10 @@ def test_captions_name_what_is_on_the_rims_and_what_has_no_cost() -> None:
     assert "least c/c 5.00e-6 for 9.00e0 s, most d/d 2.00e-2 for 0 s" in cost.alt
     (cost,) = cost_figures(LADDERS[1:3], QUANTITY, Norm.MAX)
     assert cost.caption.startswith("Timed alone on one core; grey: the Pareto front.")
+    part = [Ladder(B, None, (point(0.1, 0.1), point(0.2, 0.2))),
+            Ladder(C, None, (point(0.1, 0.1, 1.0, False),))]  # fmt: skip
+    (cost,) = cost_figures(part, QUANTITY, Norm.MAX)
+    assert cost.caption.startswith("Filled, joined: timed alone on one core;")
     lost = [Ladder(A, None, (point(0.1, None),)), Ladder(B, None, (point(0.2, 0.0),))]
     assert len(figures([], lost, QUANTITY, Norm.MAX)) == 1  # a cross is something to draw
     assert figures([], lost[1:], QUANTITY, Norm.MAX) == []

@@ -115,6 +115,19 @@ def test_what_has_no_exact_motion_is_not_played() -> None:
     assert json.loads(playback({"y": [four]}, facts(2.0)))["ends"] == [0.0, 3.0]
 
 
+def test_frames_are_at_the_outputs_of_a_history_with_an_exact_one() -> None:
+    inexact = dataclasses.replace(history("a/a", Y, None), t=T + 7.0)
+    found = json.loads(playback({"y": [inexact, history("bb/b", Y, Y)]}, facts(2.0)))
+    assert found["ends"] == [0.0, 4.0]
+
+
+def test_a_motion_that_moves_a_body_half_as_far_is_magnified_twice_as_much() -> None:
+    """y goes 2 m, by which the body moves 1 m: 7.5 pixels of a drawing of 20 m."""
+    half = dataclasses.replace(facts(20.0), moved={"y": Moved((1, 1), (0, 0), along=(0.0, 0.5))})
+    found = json.loads(playback({"y": [history("a/a", Y, Y)]}, half))
+    assert found["drawn"] == "motion magnified 5 times, bodies to scale"  # 40/7.5 is 5.3
+
+
 def test_forty_frames_of_the_first_quantity_and_a_dozen_that_move_bodies() -> None:
     t = np.linspace(0.0, 1.0, 101)
     long = dataclasses.replace(history("a/a", t, t), t=t)
