@@ -220,6 +220,12 @@ def test_a_reference_with_which_one_of_those_that_agree_does_is_not_disagreed_wi
     (agreement,) = agreements(records_of(wide))
     assert len(agreement.agreeing) == 3
     assert not agreement.alone
+    wrong = {name: SHARP[name] for name in "ab"}
+    (agreement,) = agreements(
+        [*judged("fail", 0.7, 0.69, **wrong), *judged("pass", 4e-6, 4e-6, c=SHARP["c"])]
+    )
+    assert [one.against for one in agreement.agreeing] == [True, True, False]
+    assert not agreement.alone
 
 
 def test_what_the_last_step_and_the_last_stiffness_changed_add_up() -> None:

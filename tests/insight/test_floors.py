@@ -97,6 +97,11 @@ def test_no_floor_is_claimed_while_one_knob_gains(errors: tuple[float, ...]) -> 
     assert one(penalty(*errors)).floor is None
 
 
+def test_a_softer_row_of_two_steps_that_gains_forbids_no_floor() -> None:
+    softer: list[Row] = [(1e-3, 1e7, 4e-2, 1.0), (5e-4, 1e7, 1.1e-2, 1.0)]
+    assert one([*softer, *penalty(1e-2, 1e-2, 1e-2, 1e-2, 1e-2)]).floor is not None
+
+
 def test_a_stiffer_row_of_two_steps_that_gains_forbids_a_floor() -> None:
     rows = penalty(1e-2, 1e-2, 1e-2, 1e-2, 2e-2)
     assert one([*rows, (2.5e-5, 1e10, 1.5e-2, 1.0)]).floor is not None

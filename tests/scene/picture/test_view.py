@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -80,6 +81,14 @@ def test_a_scene_of_any_size_is_seen_alike_wherever_it_lies(size: float) -> None
     other = shifted(rescaled(one, size, 1.0, 1.0), 50.0 * size * (Y + Z))
     for each in (one, other):
         assert view._sight(each, view._directions(each)) == pytest.approx(X)
+
+
+def test_a_block_is_seen_across_the_directions_that_its_locks_leave_it() -> None:
+    """A cube is as wide as it is high and deep: free along x and y alone, it is seen from above."""
+    cube = box("one", [0.0, 0.0, 0.0], [1.0] * 3)
+    flat = dataclasses.replace(cube, free=np.array([True, True, False]))
+    assert view.names(view.plane(scene(cube))) == ("x", "z")
+    assert view.names(view.plane(scene(flat))) == ("x", "y")
 
 
 @pytest.mark.parametrize(
