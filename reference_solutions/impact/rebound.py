@@ -133,7 +133,7 @@ class Impact:
         self.mass = one.mass if two.is_wall else one.mass * two.mass / (one.mass + two.mass)
         self.damping = 2.0 * law.z * sqrt(self.mass * law.p * law.K)
         deep = ((law.p + 1.0) * self.mass * vn**2 / (2.0 * law.K)) ** (1.0 / (law.p + 1.0))
-        self.longest = 20.0 * deep / vn * max(1.0, law.z)
+        self.longest = 20.0 * deep / vn
         turn = vn / sphere.radius
         self.sizes = np.array([deep, deep, vn, vn, turn, turn, law.K * deep**law.p])
 

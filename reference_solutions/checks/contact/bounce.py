@@ -26,7 +26,7 @@ MOST = 1000  # stages
 
 @dataclass(frozen=True)
 class Touch:
-    """A contact by functions of the state, whose last component is the shear force F [N].
+    """A contact by functions of the state, whose last component is the shear force F [N] in stick.
 
     rates: the rates of the state without F', from the state, the normal force and F [N].
     """
@@ -171,7 +171,7 @@ def _mode(
 
     def slipping(_: float, z: Array) -> list[float]:
         press = touch.kn * touch.overlap(z)
-        return [*touch.rates(z, press, grip * touch.overlap(z)), grip * touch.closing(z)]
+        return [*touch.rates(z, press, grip * touch.overlap(z)), 0.0]
 
     return slipping, [touch.overlap, lambda z: touch.excess(z, way)]
 
@@ -179,14 +179,13 @@ def _mode(
 def _choose(
     touch: Touch, z: Array, touching: bool, way: float, first: bool
 ) -> tuple[bool, float, float]:
-    """The next stage: whether there is contact, the sign of F in slip (0 in stick), and F [N]."""
+    """The next stage: whether there is contact, the sign of F in slip (0 in stick), F in stick."""
     if touching and first:
         return False, 0.0, 0.0
     if touching and way:
         return True, 0.0, way * touch.mu * touch.kn * touch.overlap(z)
     if touching:
-        way = copysign(1.0, float(z[-1]))
-        return True, way, way * touch.mu * touch.kn * touch.overlap(z)
+        return True, copysign(1.0, float(z[-1])), 0.0
     way = -copysign(1.0, touch.slip(z))
     return True, way if touch.excess(z, way) > 0.0 else 0.0, 0.0
 

@@ -71,7 +71,7 @@ def sliding(
     t: float, *, m: float, ks: float, mu: float, g: float, v0: float, q: float
 ) -> tuple[float, float]:
     """v [m/s] at t [s] of a sphere set down sliding, and the time at which it began to roll [s]."""
-    cap, w, past = mu * m * g, sqrt(q * ks / m), 0.0
+    cap, past = mu * m * g, 0.0
     y, rolls, slips = [v0, v0, 0.0], 0.0, False
     for _ in range(3):
 
@@ -82,8 +82,7 @@ def sliding(
         def changes(when: float, y: Array, slips: bool = slips) -> float:
             return float(y[0]) if slips else cap * (1.0 + 1e-15) - abs(float(y[2]))
 
-        long = t - past if slips or rolls else min(t, 1.0 / w)
-        step = _until(slope, y, long, changes, [v0, v0, ks * v0 / w])
+        step = _until(slope, y, t - past, changes, [v0, v0, cap])
         past, y = past + float(step[0]), [float(part) for part in step[1:]]
         if past >= t:
             break
