@@ -15,9 +15,10 @@ from reports.drawing.curves import draw
 from reports.marks import Mark
 from reports.outcomes import OUTCOMES, ShownOutcome, summed
 from reports.pages import coverage_map
-from reports.pages.overview import TARGETS, Overview, overview
+from reports.pages.overview import Overview, overview
 from reports.pages.troubles import CARDS, Trouble, troubles
 from reports.text import brief
+from reports.variant.advice import TARGETS
 from reports.variant.reading import TARGET
 from vv.case.published import Assessment
 from vv.insight.papers import counted as assessments

@@ -13,7 +13,8 @@ from reports.marks import marks
 from reports.outcomes import OUTCOMES
 from reports.pages import front as front_page
 from reports.pages import overview as numbers
-from reports.pages.overview import TARGETS, Cell
+from reports.pages.overview import Cell
+from reports.variant.advice import TARGETS
 from reports.variant.models import Modelled, models
 from reports.variant.reading import TARGET
 from tests.support.fabricated import some
