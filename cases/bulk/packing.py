@@ -36,6 +36,7 @@ SEEN = tuple(Displacement(i) for i in range(COUNT))  # walls are bodies after th
 FAST = tuple(Velocity(i) for i in range(COUNT))
 GOAL = History(2.4, 0.15)
 FADES, SINKS = 0.05, 0.49  # m/eta [s] and m g/eta [m/s] up to and from which that is long enough
+SOFT = 200  # radius over the deepest overlap of a pack that is still one of hard spheres
 LONGEST = 100.0  # times GOAL: some ten seconds of calculation
 SEEDS = (1, 2, 3)
 FINE, COARSE = 1e-4, 0.2  # units of rounding: parts of the weight and the radius, and contacts
@@ -145,6 +146,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if not p["eta"] > 0.0:
         raise ValueError(f"eta = {p['eta']!r} N s/m; without drag nothing brings a pack to rest")
     spheres = _spheres(int(variant.removeprefix("seed-")), p)
+    sunk = COUNT / ACROSS**2 * p["m"] * p["g"] / p["kn"] if p["kn"] > 0 else 0.0
+    if not sunk < LARGEST / SOFT:
+        raise ValueError(
+            f"kn = {p['kn']!r} N/m; spheres on the floor overlap it by {sunk:.3g} m; it must be "
+            f"below {LARGEST / SOFT:g} m, or a pack has more contacts than one of hard spheres"
+        )
     down = np.array([0.0, 0.0, -p["g"]])
     scene = Scene((spheres, *_walls()), Contact(p["kn"]), p["eta"], down)
     longer = _longer(p)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -84,14 +85,18 @@ def _pair_path(p: Parameters, body: int, t: Vector) -> Vector:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    if variant in ("floor", "held"):
-        scene, step = _on_floor(p, variant == "held"), FLOOR_STEP * _duration_ratio(p, 2e10)
-        path = functools.partial(_floor_path, p)
+    alone = variant in ("floor", "held")
+    if variant == "floor" and p["load"]:
+        raise ValueError(f"load = {p['load']!r} N; it must be 0, since nothing bears it here")
+    scene = _on_floor(p, variant == "held") if alone else _pair_scene(p)
+    _require_shallow(alone, p)
+    step = _step(FLOOR_STEP if alone else PAIR_STEP, CASE.defaults(variant), alone, p)
+    if alone:
         seen: tuple[Displacement, ...] = (Displacement(1),)
-        own = p == CASE.defaults(variant)
-        quantities = _sphere_quantities(_motion(seen[0], scene, 3, path), step, p, own)
+        motion = _motion(seen[0], scene, 3, functools.partial(_floor_path, p))
+        step /= _parts(_ends(motion, step, p), _late(motion, step, p))
+        quantities = _sphere_quantities(motion, step, p, own=p == CASE.defaults(variant))
     else:
-        scene, step = _pair_scene(p), PAIR_STEP * _duration_ratio(p, 5e6)
         seen = (Displacement(0), Displacement(1))
         paths = [functools.partial(_pair_path, p, what.body) for what in seen]
         motions = [_motion(w, scene, 2, path) for w, path in zip(seen, paths, strict=True)]
@@ -99,9 +104,43 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(Ladder(scene, GOAL, seen, _levels(step)), quantities)
 
 
-def _duration_ratio(p: Parameters, kn: float) -> float:
-    """The duration of a contact over that at the defaults, where its stiffness is kn [N/m]."""
-    return float(np.sqrt(kn / p["kn"] * (p["rho"] / 2500.0) * (p["r1"] / 0.1) ** 3))
+def _require_shallow(alone: bool, p: Parameters) -> None:
+    """Raise ValueError where the first contact overlaps by more than a tenth of the radius."""
+    if alone:
+        light, pull, small = 1 / _mass(p, p["r1"]), p["g"], p["r1"]
+    else:
+        light = 1 / _mass(p, p["r1"]) + 1 / _mass(p, p["r2"])
+        pull, small = p["load"] * light, min(p["r1"], p["r2"])
+    swing = 1 / math.sqrt(p["kn"] * light)  # 1/k
+    closing = math.sqrt(max(p["v_n"] ** 2 + 2 * pull * p["gap"], 0.0))
+    depth = pull * swing**2 + math.hypot(pull * swing**2, closing * swing)
+    if not depth < small / 10:
+        raise ValueError(
+            f"kn = {p['kn']!r} N/m; the bodies overlap by {depth:.4g} m at most; it must be below "
+            f"a tenth of the radius, {small / 10:g} m"
+        )
+
+
+def _step(usual: float, own: Parameters, alone: bool, p: Parameters) -> float:
+    """The coarsest step [s]: `usual` at own parameters, as long a part of a contact elsewhere.
+
+    Shorter where shear springs swing faster than normal ones, and no longer than the interval of
+    outputs.
+    """
+
+    def lasts(q: Parameters) -> float:
+        light = 1 / _mass(q, q["r1"]) + (0.0 if alone else 1 / _mass(q, q["r2"]))
+        return 1 / math.sqrt(q["kn"] * light)
+
+    stiffest = max(1.0, p["ks"] / (STIFFEST * p["kn"]))
+    ratio = lasts(p) / lasts(own) / math.sqrt(stiffest)
+    return min(usual * ratio, GOAL.interval)
+
+
+def _parts(second: float, first: float) -> int:
+    """How many steps replace one, a power of two: so many that these errors may be judged."""
+    most = max(math.sqrt(second / JUDGED), first / JUDGED, 1.0)
+    return 1 << math.ceil(math.log2(most))
 
 
 def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Motion:
@@ -112,11 +151,14 @@ def _sphere_quantities(
     motion: Motion, step: float, p: Parameters, own: bool
 ) -> tuple[Quantity, ...]:
     """own: whether the parameters are the case's, at which errors of contacts partly cancel."""
-    arm = 2e-5 * float(np.sqrt(2e10 / p["kn"]))
-    ends = _ends(motion, step, p)
-    up = _judge(step, (2e-4 if own else max(2e-4, ends)) + arm, 5e-4, arm)
-    rubbed = min(2 * p["mu"], 1.0) * ends  # twice mu where friction also rotates the sphere
-    along = _judge(step, max(2e-4, rubbed) + arm, 5e-4, arm)
+    arm = 2 * _closing(p) * math.sqrt(_mass(p, p["r1"]) / p["kn"]) / p["r1"]
+    ends, late = _ends(motion, step, p), _late(motion, step, p)
+    rises = (2e-4 if own else max(2e-4, ends)) + arm
+    up = _judge(step, rises, rises + late, arm)
+    rubs = min(2 * p["mu"], 1.0)  # twice mu where friction also rotates the sphere
+    jump, order = _released(p, _mass(p, p["r1"]), step * _left(p), ends * _way(motion))
+    rubbed = max(2e-4, rubs * ends) + jump / _way(motion) + arm
+    along = _judge(step, rubbed, rubbed + rubs * late, arm, order=order)
     ways = (
         ("x", "along the throw", along),
         ("y", "horizontally, across the throw", NOWHERE),
@@ -136,25 +178,53 @@ def _ends(motion: Motion, step: float, p: Parameters) -> float:
     steps in which a contact begins and ends, x x* is between -(v dt)^2/4 and 0: a contact changes
     the speed by up to (k dt)^2/8 of it, for the time that is left.
     """
-    way = float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
-    closing = float(np.sqrt(p["v_n"] ** 2 + 2 * p["g"] * p["gap"]))
-    stiffness = p["kn"] / _mass(p, p["r1"])
-    first, lasts = 2 * p["gap"] / (closing + p["v_n"]), np.pi / np.sqrt(stiffness)
+    speed = _closing(p) * p["kn"] / _mass(p, p["r1"]) * step**2 / 8
+    return speed * _left(p) / _way(motion)
+
+
+def _left(p: Parameters) -> float:
+    """The time that is left after a contact with the floor closes, summed over all [s]."""
+    closing = _closing(p)
+    first, lasts = 2 * p["gap"] / (closing + p["v_n"]), np.pi * np.sqrt(_mass(p, p["r1"]) / p["kn"])
     apart = max(lasts, 2 * closing / p["g"] if p["g"] > 0 else GOAL.duration)
-    left = GOAL.duration - np.arange(first, GOAL.duration, apart)
-    return float(closing * stiffness * step**2 / 8 * left.sum() / way)
+    return float((GOAL.duration - np.arange(first, GOAL.duration, apart)).sum())
+
+
+def _late(motion: Motion, step: float, p: Parameters) -> float:
+    """The error of a weight that acts half a step [s] late or early, over the displacement.
+
+    It changes the speed at the start by g dt/2. All happens up to dt/2 earlier or later, at speeds
+    of at most sqrt(c^2 + g^2/k^2) and v + g T, and the speed c of impact changes by g dt/2 v/c, for
+    the whole time T; so do the durations of all flights, which are as c: that is as much again.
+    """
+    closing, pressed = _closing(p), p["g"] * math.sqrt(_mass(p, p["r1"]) / p["kn"])
+    fastest = min(math.hypot(closing, pressed), p["v_n"] + p["g"] * GOAL.duration)
+    faster = p["g"] * step / 2 * p["v_n"] / closing
+    return (fastest * step / 2 + 2 * faster * GOAL.duration) / _way(motion)
+
+
+def _closing(p: Parameters) -> float:
+    """The speed [m/s] at which the sphere meets the floor."""
+    return math.sqrt(p["v_n"] ** 2 + 2 * p["g"] * p["gap"])
+
+
+def _way(motion: Motion) -> float:
+    """The largest displacement [m]."""
+    return float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
 
 
 def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantity, ...]:
     quantities: list[Quantity] = []
     for n, motion in enumerate(motions, 1):
         second, first = _pair_errors(p, n, step)
-        way = float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
+        way = _way(motion)
         # only friction acts across the line of centres: mu times the normal force, twice if it
         # rotates
         for i, (axis, how, part) in enumerate(PARTS):
             share = min(2 * p["mu"], 1.0) ** part / way
-            judge = _judge(step, second * share + ROUNDED, first * share + ROUNDED, why=OF_PAIR)
+            jump, order = _released(p, _mass(p, p[f"r{n}"]), step * GOAL.duration, second)
+            worst = second * share + part * jump / way + ROUNDED
+            judge = _judge(step, worst, first * share + worst, why=OF_PAIR, order=order * part or 2)
             what = f"displacement of sphere {n} {how}"
             quantities.append(motion.component(i, f"{axis}{n}", what, judge))
     return tuple(quantities)
@@ -170,13 +240,29 @@ def _pair_errors(p: Parameters, n: int, step: float) -> tuple[float, float]:
     return float(closing * swing / 4) * flown, pull * step / 2 * flown
 
 
+def _released(p: Parameters, mass: float, late: float, second: float) -> tuple[float, int]:
+    """The error [m] by the last slip before bodies part, and its order.
+
+    A shear force F falls to zero with mu kn U: an error of mu times `second`, that of the normal
+    force. Where it falls within less than a step, it ends anywhere in that and changes the speed by
+    up to F dt/m; F is at most what springs make of all slip at the start, s sqrt(ks m/3.5), and
+    less where both bodies move. late: dt times the time that is left [s2].
+    """
+    slip = abs(p["v_t"]) + abs(p["r1"] * p["w1"]) + abs(p["r2"] * p["w2"])
+    jump = slip * math.sqrt(p["ks"] / (3.5 * mass)) * late
+    resolved = max(p["mu"] - 1.0, 0.0) * second
+    return (resolved, 2) if resolved < jump else (jump, 1)
+
+
 def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
     rungs = tuple(Knobs(dt=coarsest / 2**i) for i in range(4))
     coarse = rungs[:3:2]  # the finest beside them shows 1 % of rho to methods of first order
     return {Level.QUICK: coarse, Level.DEFAULT: (*coarse, rungs[3]), Level.PAPER: rungs}
 
 
-def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why = ()) -> Judge:
+def _judge(
+    step: float, second: float, first: float, arm: float = 0.0, why: Why = (), order: int = 2
+) -> Judge:
     """second, first: bounds at the coarsest step [s]; arm: the effect of U/(2 r) on the force."""
     rubbed, late = why or ON_FLOOR
     return Exact({
@@ -184,7 +270,7 @@ def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why 
             1e-11,
             "two independent routes to the answer agree to 1e-12, over a dozen located events",
         ),
-        Method.SECOND_ORDER: Tolerance(second, rubbed, dt=step, order=2, floor=arm),
+        Method.SECOND_ORDER: Tolerance(second, rubbed, dt=step, order=order, floor=arm),
         Method.FIRST_ORDER: Tolerance(first, late, dt=step, order=1),
     })  # fmt: skip
 
@@ -212,6 +298,8 @@ NOWHERE: Judge = Exact(dict.fromkeys(
               "remain"),
 ))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
+STIFFEST = 1.5  # shear stiffness over the normal one, up to which contacts decide the step
+JUDGED = 0.05  # the largest error that is judged
 
 LAW = (
     "U'' = g - kn U/m in contact; F' = -ks s while |F| <= mu kn U, s = v_x - r w, "

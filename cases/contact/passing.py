@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -40,6 +41,7 @@ SIDES = np.array([1.0, -1.0])
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    _require_shallow(p)
     reach = RADIUS[MIDDLE] + RADIUS[[HELD, END]] - p["overlap"]
     row = np.outer([0.0, *(SIDES * reach)], X)
     place = np.concatenate([row + k * APART * Z for k in range(ROWS)])
@@ -55,10 +57,20 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if p["ks"] * swings > 0.5 * p["mu"] * p["kn"] * p["overlap"]:
         raise ValueError(f"v = {p['v']!r} m/s; it is so large that the contacts nearly slip")
     goal = History(p["duration"], p["duration"] / 40)
-    times, coarsest = goal.times(None), COARSEST * np.sqrt(p["m"] / p["ks"])
-    swung = float(np.sqrt(p["ks"] / p["m"]) * p["duration"])
+    times, swung = goal.times(None), float(np.sqrt(p["ks"] / p["m"]) * p["duration"])
+    error = EARLY + 2.8e-4 * swung
+    parts = 1 << max(0, math.ceil(math.log2(error / LARGEST_TOLERANCE) / 2))
+    unit = math.sqrt(p["m"] / p["ks"])
+    coarsest = min(
+        COARSEST / parts * unit, COARSEST * math.sqrt(STIFFER * p["m"] / p["kn"]), goal.interval
+    )
+    _require_few(p["duration"] / coarsest, p["duration"])
     second = Tolerance(
-        min(3.2e-4 * swung, LARGEST_TOLERANCE), AHEAD, dt=coarsest, order=2, floor=1e-6
+        max(error * (coarsest / (COARSEST * unit)) ** 2, ROUNDED),
+        AHEAD,
+        dt=coarsest,
+        order=2,
+        floor=ROUNDED,
     )
     judge = Exact(
         {Method.LEAPFROG: second, Method.LATE_LEAPFROG: second},
@@ -75,10 +87,35 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for k in (0, ROWS - 1)
         for body, name, where in ((MIDDLE, "middle", "in the middle"), (END, "end", "at the end"))
     )
-    rungs = tuple(Knobs(float(coarsest) / 2**i) for i in range(4))
+    rungs = tuple(Knobs(coarsest / 2**i) for i in range(4))
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     seen = tuple(Displacement(3 * k + body) for k in (0, ROWS - 1) for body in (MIDDLE, END))
     return Trial(Ladder(scene, goal, seen, levels), quantities)
+
+
+def _require_shallow(p: Parameters) -> None:
+    """Raise ValueError where contacts are deep, turn over, or nothing moves."""
+    if not p["v"]:
+        raise ValueError(f"v = {p['v']!r} m/s; it must not be 0, or nothing moves")
+    if not p["overlap"] < PASSING / 10:
+        raise ValueError(
+            f"overlap = {p['overlap']!r} m; it must be below a tenth of the smallest radius, "
+            f"{PASSING / 10:g} m"
+        )
+    least = float(p["kn"] * p["overlap"] / (RADIUS[MIDDLE] + RADIUS[END] - p["overlap"]))
+    if not p["ks"] > least:
+        raise ValueError(
+            f"ks = {p['ks']!r} N/m; it must exceed kn d/L = {least:.4g} N/m, by which normal "
+            "forces reduce it"
+        )
+
+
+def _require_few(steps: float, duration: float) -> None:
+    if not steps <= MOST:
+        raise ValueError(
+            f"duration = {duration!r} s; it takes {steps:.3g} steps that are so short that phases "
+            f"can be judged; at most {MOST:g} are run"
+        )
 
 
 def _path(p: Parameters, reach: Vector) -> Callable[[Vector], Vector]:
@@ -99,10 +136,15 @@ def _path(p: Parameters, reach: Vector) -> Callable[[Vector], Vector]:
 
 
 COARSEST = 0.05  # of sqrt(m/ks)
+ROUNDED = 1e-6  # of the displacement: rounding of places of metres, and what passes
+STIFFER = 100  # normal over shear stiffness, above which normal springs decide the step
 OTHERS = "the bound is that of the phase of a leapfrog"
+EARLY = 0.05**2 * 2.65 / 6  # (w dt)^2/6; u'' = -w^2 v t at the start, w^2 = (2 + 0.6) ks/m
+MOST = 1e6  # steps, some ten seconds of calculation
 AHEAD = (
     "the phase of a leapfrog is ahead by (w dt)^2/24 of the angle, some 40 radians by default; it "
-    "grows with sqrt(ks/m) and the duration"
+    "grows with sqrt(ks/m) and the duration. Amplitudes are (w dt)^2/8 too large, and a motion "
+    "that has hardly begun is (w dt)^2/6 off"
 )
 CASE = Case(
     name="passing",

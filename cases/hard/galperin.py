@@ -54,7 +54,7 @@ def _scene(p: Parameters) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     masses, way = _masses(p), {name: p[name] for name in ("x", "X", "v")}
-    due, end = galperin.collisions(**masses), BEYOND * galperin.last(**masses, **way)
+    due, last = galperin.collisions(**masses), galperin.last(**masses, **way)
     shortest = galperin.opening(**masses) ** 2 * p["x"] / p["v"]
     touch = math.pi * math.sqrt(p["m"] / p["kn"])
     if not touch < shortest:
@@ -74,7 +74,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
             f"kn = {p['kn']!r} N/m; the light ball, when it has all energy, would overlap the wall "
             f"by {depth:.3g} m; at most a tenth of its radius is allowed"
         )
-    goal = History(end, shortest / SAMPLES)
+    interval = shortest / SAMPLES
+    goal = History(max(BEYOND * last, last + touch + 2 * interval), interval)
     levels = {
         level: tuple(Knobs(dt=touch / steps) for steps in rungs)
         for level, rungs in RUNGS[variant].items()

@@ -38,6 +38,13 @@ NEAR = 2  # outputs beside a turning point that a slip there may have affected
 def _declare(variant: str, p: Parameters) -> Trial:
     own = {name: p[name] for name in OWN}
     scene = SINGLE_CONTACT.declare("T3", {**SINGLE_CONTACT.defaults("T3"), **own}).study.scene
+    usual = SINGLE_CONTACT.defaults("T3")
+    unit = _swings(usual) / _swings(p)  # the duration of an oscillation over that at the defaults
+    goal = History(unit * GOAL.duration, unit * GOAL.interval)
+    levels = {
+        level: tuple(Knobs(dt=unit * (one.dt or 0.0)) for one in rungs)
+        for level, rungs in LEVELS.items()
+    }
     limit = p["mu"] * p["kn"] * closed.overlap(**own) / p["ks"]
 
     def steps(run: Run) -> Vector:
@@ -73,7 +80,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
         scale=1.0,
         judge=Shown("the displacement by spurious slips; there is none in the exact motion"),
     )
-    return Trial(Ladder(scene, GOAL, (SPHERE,), LEVELS), (slips, crept))
+    return Trial(Ladder(scene, goal, (SPHERE,), levels), (slips, crept))
+
+
+def _swings(p: Parameters) -> float:
+    """The rate of the oscillation on the shear spring [1/s]."""
+    return float(np.sqrt(p["ks"] / closed.mass(p["rho"], p["r"])))
 
 
 def _centres(y: Vector) -> Iterator[float]:

@@ -28,7 +28,6 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
 RADIUS = 0.1  # m; does not enter the answer
 SPHERE = Displacement(1)
-DURATION = 0.8  # s, the least
 Z = np.array([0.0, 0.0, 1.0])
 HEIGHT = ComponentAlong(SPHERE, Z)
 LAW = ("m", "kn", "eta", "g", "height")
@@ -49,7 +48,9 @@ def _scene(p: Parameters) -> Scene:
 def _declare(variant: str, p: Parameters) -> Trial:
     law, own = {name: p[name] for name in LAW}, p == CASE.defaults(variant)
     stages = settling.stages(**law)
-    goal = History(max(DURATION, 2.0 * stages[-1].begin), INTERVAL)  # until it bounces no longer
+    goal = History(
+        max(_settling_bounds.DURATION, 2.0 * stages[-1].begin), INTERVAL
+    )  # until it bounces no longer
     moved = Series(
         name="z",
         symbol="z",
@@ -67,7 +68,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
         reference=lambda: _settling_bounds.bounces(stages),
         judge=_settling_bounds.count(p, law, stages, own),
     )
-    return Trial(Ladder(_scene(p), goal, (SPHERE,), LEVELS), (moved, bounces))
+    parts = 1 if own else _settling_bounds.parts(p, stages)
+    levels = {
+        level: tuple(Knobs(dt=(one.dt or 0.0) / parts) for one in rungs)
+        for level, rungs in LEVELS.items()
+    }
+    return Trial(Ladder(_scene(p), goal, (SPHERE,), levels), (moved, bounces))
 
 
 def _count_departures(z: Vector) -> int:

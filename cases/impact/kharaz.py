@@ -86,10 +86,13 @@ def struck(impacts: Impacts, v: float) -> tuple[Ladder, tuple[Quantity, ...]]:
     goal = History(interval * math.ceil(LASTS * impacts.longest() / interval), interval)
     rungs = tuple(Knobs(dt=unit / n) for n in STEPS)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    # where friction is strong, the force across the normal falls by mu times the normal one at last
+    steep = max(1.0, 0.4 + math.pi**2 / 8.0 * impacts.law.mu)
     path = judged(
-        1.0 / STEPS[0] ** 2, unit, STEPS[0],
+        steep / STEPS[0] ** 2, unit, STEPS[0],
         "an error of (w dt)^2/24 of the oscillations along the normal and across it, which is up "
-        "to twice as fast; and as much where contact, stick or slip begins or ends within a step",
+        "to twice as fast; and as much where contact, stick or slip begins or ends within a step, "
+        "of friction (w dt)^2/8 times mu",
     )  # fmt: skip
     exact = impacts.worst(path), impacts.nearest(path), impacts.lasting(path)
     return Ladder(impacts.scene(), goal, impacts.seen(), levels), exact

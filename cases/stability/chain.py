@@ -57,8 +57,20 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(
             f"part = {p['part']!r}; it must be between 0 and 0.2, beyond which contacts may open"
         )
+    _require_shallow(p)
     kind, _, mode = variant.partition("-")
     return _mode(int(mode), p) if kind == "mode" else _pulse(p)
+
+
+def _require_shallow(p: Parameters) -> None:
+    """Raise ValueError where one contact with the energy of all is deeper than a tenth of r."""
+    deepest = (1 + p["part"]) * math.sqrt(N) * p["load"] / p["kn"]
+    if not deepest < RADIUS / 10:
+        raise ValueError(
+            f"load = {p['load']!r} N, kn = {p['kn']!r} N/m; one contact with the energy of all "
+            f"would overlap by {deepest:.4g} m; it must be below a tenth of the radius, "
+            f"{RADIUS / 10:g} m"
+        )
 
 
 def _mode(j: int, p: Parameters) -> Trial:

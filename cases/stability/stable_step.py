@@ -106,6 +106,12 @@ def _masses(p: Parameters) -> Trial:
 
 def _viscous(p: Parameters) -> Trial:
     w, n = math.sqrt(p["ks"] / p["m"]), p["eta"] / (2 * p["m"])
+    if not LIGHT <= n / w <= HEAVY:
+        raise ValueError(
+            f"eta = {p['eta']!r} N s/m; n/w = {n / w:.3g}; it must be from {LIGHT} to {HEAVY}: "
+            "under less drag a stable oscillation does not die out in the run, and under more "
+            "stable steps swing as far as unstable ones"
+        )
     middle, late = stability.centred(w), stability.lagged(w, n)
     bracket = Bracket(max(SPAN, PAST * middle / (START * late)), NEAR * p["v"] / w)
     study = Search(_along_wall(p), (SECOND,), START * late, LONG, bracket)
@@ -121,6 +127,7 @@ def _block(p: Parameters) -> Trial:
 
 
 START, SPAN = 0.45, 5.0  # where a search begins, over the lowest known limit, and how far it goes
+LIGHT, HEAVY = 0.04, 1.0  # n/w at which the search tells stable steps from unstable ones
 PAST = 1.4  # a search goes at least this far beyond the highest limit of a class
 # steps of a run: with drag an unstable oscillation grows more slowly by that much
 SHORT, LONG = 200, 1000

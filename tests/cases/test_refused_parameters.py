@@ -40,6 +40,19 @@ PROJECT = find()
         ("packing", "seed-1", {"eta": 0.0}, "eta = 0.0 N s/m; without drag nothing"),
         ("packing", "seed-1", {"eta": 1e300}, "to come to rest; at most 240 s are run"),
         ("packing", "seed-1", {"eta": 1e-9}, "takes 4.8e\\+08 s to come to rest"),
+        ("bounce", "floor", {"load": 1000.0}, "load = 1000.0 N; it must be 0"),
+        ("bounce", "again", {"r2": 7e-5}, "the bodies overlap by 3.787e-05 m at most; it must be"),
+        ("chain", "jump", {"load": 1e5}, "it must be below a tenth of the radius, 0.01 m"),
+        ("damped-swing", "resolved", {"g": 9810.0}, "the tip sinks by 0.9815 m; it must be less"),
+        ("damped-swing", "resolved", {"v": 1e-10}, "is lost as places are rounded"),
+        ("implicit-swing", "near-four", {"v": 0.0}, "v = 0.0 m/s; it must not be 0"),
+        ("packing", "seed-1", {"kn": 100.0}, "spheres on the floor overlap it by 0.00613 m"),
+        ("passing", "sheared", {"overlap": 0.1}, "it must be below a tenth of the smallest radius"),
+        ("passing", "sheared", {"ks": 0.0}, "ks = 0.0 N/m; it must exceed kn d/L = 2.858 N/m"),
+        ("passing", "sheared", {"v": 0.0}, "v = 0.0 m/s; it must not be 0, or nothing moves"),
+        ("passing", "sheared", {"duration": 250.0}, "it takes 8e\\+06 steps that are so short"),
+        ("stable-step", "viscous", {"eta": 0.0}, "n/w = 0; it must be from 0.04 to 1.0"),
+        ("stable-step", "viscous", {"ks": 5.5e6}, "n/w = 13.7; it must be from 0.04 to 1.0"),
         ("tetrahedral-path", "out", {"rate": 2000.0}, "rate = 2000.0 1/s; it must not exceed 250"),
     ],
 )
@@ -54,7 +67,7 @@ def test_a_parameter_that_leaves_no_answer_is_refused(
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ("bounce:floor kn=1", "with kn = 1.0 N/m: the contact sticks or slips for less than"),
+        ("bounce:floor kn=1", "kn = 1.0 N/m; the bodies overlap by 205.5 m at most"),
         ("bounce:floor mu=0", "mu = 0.0; it must be positive, since friction ends slip"),
         (
             "mfix:dem03 H=7.47e-4",

@@ -12,6 +12,7 @@ from vv.ask import Method
 from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
 
 STEP = 1e-4  # s, the coarsest
+DURATION = 0.8  # s, the shortest
 INTERVAL = 1e-4  # s, between outputs: six in the shortest flight of the case
 PATH = {
     Method.EXACT: Tolerance(
@@ -68,8 +69,8 @@ def bounces(stages: Sequence[settling.Stage]) -> int:
 
 def _elsewhere(p: Parameters, stages: Sequence[settling.Stage]) -> dict[Method, Tolerance]:
     """The bounds at parameters other than the case's own."""
-    swing = _swing(p)
-    value = min(max(3.0 * _spread(p, stages), 0.4) * swing, LARGEST_TOLERANCE)
+    divided = parts(p, stages)
+    value, step = _error(p, stages) / divided**2, STEP / divided
     ends = (
         "a contact changes the speed by (k dt)^2/2 (b (1 - b) - a (1 - a)) of it, a and b the "
         "parts of a step after which it begins and ends, at random; each changes all flights that "
@@ -77,13 +78,30 @@ def _elsewhere(p: Parameters, stages: Sequence[settling.Stage]) -> dict[Method, 
     )
     slows = p["eta"] / p["m"] / 20.0 * max(1.0, bounces(stages) / 30.0)
     starts = math.sqrt(p["g"] / p["height"] / (9.81 / 2e-3))
+    rounded = PATH[Method.EXACT]
+    more = max(1.0, len(stages) / 62) * max(1.0, 2.0 * stages[-1].begin / DURATION)
     return {
-        Method.SECOND_ORDER: Tolerance(value, ends, dt=STEP, order=2),
+        Method.EXACT: Tolerance(
+            min(rounded.value * more, LARGEST_TOLERANCE),
+            f"{rounded.reason}, by as much as the times of events are rounded: as the number of "
+            "events times the duration",
+        ),
+        Method.SECOND_ORDER: Tolerance(value, ends, dt=step, order=2),
         Method.FIRST_ORDER: Tolerance(
             value, f"{PATH[Method.FIRST_ORDER].reason}; {ends}",
-            dt=STEP, order=2, late=100.0 * max(1.0, slows, starts),
+            dt=step, order=2, late=100.0 * max(1.0, slows, starts),
         ),
     }  # fmt: skip
+
+
+def parts(p: Parameters, stages: Sequence[settling.Stage]) -> int:
+    """How many steps replace one, a power of two: so many that errors may be judged."""
+    return 1 << max(0, math.ceil(math.log2(_error(p, stages) / LARGEST_TOLERANCE) / 2))
+
+
+def _error(p: Parameters, stages: Sequence[settling.Stage]) -> float:
+    """The error that methods of second order may make at the coarsest step, over the height."""
+    return max(3.0 * _spread(p, stages), 0.4) * _swing(p)
 
 
 def _spread(p: Parameters, stages: Sequence[settling.Stage]) -> float:
