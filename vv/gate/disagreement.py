@@ -143,12 +143,24 @@ def _judged(record: Record, entries: Iterable[Disagreement], fitted: Mapping[Key
     quantities = []
     for one in record.quantities:
         speaks = entries if one.judge is JudgeKind.EXACT else ()
-        known = next((d for d in speaks if d.covers(record, one.name)), None)
+        known = _entry_on(record, one.name, speaks)
         order = fitted.get(ladder(record, one.name))
         quantities.append(_turned(record, one, known, order) if known else one)
     if all(new is old for new, old in zip(quantities, record.quantities, strict=True)):
         return record
     return dataclasses.replace(record, quantities=tuple(quantities))
+
+
+def _entry_on(
+    record: Record, quantity: str, entries: Iterable[Disagreement]
+) -> Disagreement | None:
+    """The first entry on a quantity; at other parameters, first of all one that speaks of them.
+
+    The settings of a rung may be the same there, so that entries on the case's own cover it too.
+    """
+    found = [entry for entry in entries if entry.covers(record, quantity)]
+    spoken = [entry for entry in found if entry.elsewhere or entry.instead]
+    return next(iter(spoken if record.modified and spoken else found), None)
 
 
 def _turned(

@@ -161,6 +161,18 @@ def test_an_entry_may_say_how_far_off_a_code_is_elsewhere() -> None:
         assert found.quantities[0].verdict is Verdict(verdict)
 
 
+@pytest.mark.parametrize(("error", "verdict"), [(0.4, "xfail"), (0.6, "fail")])
+def test_at_other_parameters_the_entry_that_speaks_of_them_counts_though_another_comes_first(
+    error: float, verdict: str
+) -> None:
+    own = Disagreement(**KNOWN)
+    there = Disagreement(**{**KNOWN, "error": None, "order": None, "elsewhere": 0.5})
+    (found,) = judge([failing(error, modified=True)], [own, there], TODAY)
+    assert found.quantities[0].verdict is Verdict(verdict)
+    (unmoved,) = judge([failing(1e-2)], [there, own], TODAY)
+    assert unmoved.quantities[0].verdict is Verdict.XFAIL
+
+
 @pytest.mark.parametrize("modified", [False, True])
 @pytest.mark.parametrize(("other", "verdict"), [(9e-4, "xfail"), (1.1e-3, "fail"), (None, "fail")])
 def test_a_code_that_has_another_quantity_s_answer_instead_is_known_at_any_parameters(
