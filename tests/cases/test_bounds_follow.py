@@ -71,6 +71,10 @@ RIGHT = {
     "close-packed-energy:pulled-82 kn=1.62e7 ks=8.88e6 d=3.91e-4": "dem/default",
     "close-packed-energy:pressed-82 rate=-16": "dem/default",
     "close-packed-energy:pressed-82 kn=2.5e7 m=2.5e-6": "dem/published",
+    "close-packed-lattice:82 gamma=1": "dem/default",
+    "close-packed-lattice:82 gamma=1.02": "dem/default",
+    "close-packed-path:in-82 gamma=1": "dem/default",
+    "close-packed-path:in-82 gamma=0.8": "dem/default",
     "close-packed-failure:82 kn=6.47e7 ks=1.05e7 xb=1.85e-7 fs0=11.2 mu_p=0.508 d=0.00125 "
     "m=1.96e-6 rate=-1.37": "dem/default",
     "close-packed-failure:82 ks=5.29e6": "dem/default",
