@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from cases._energy_balance import balance
 from cases._penalty import levels
 from cases._sines import harmonic
-from cases.blocks.parts._laden_bounds import DRIFTS, RISES, SLIPS, SPEEDS, booked, scaled
+from cases.blocks.parts._laden_bounds import DRIFTS, books, rises, slips, speeds
+from cases.blocks.parts._laden_drives import Driven
 from reference_solutions.blocks import laden_block
 from reference_solutions.contact.shaken_spring import Sine
-from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity
+from vv.ask import Displacement, History, Knobs, Observable, Velocity
 from vv.case import (
     Case,
-    Exact,
     Ladder,
     Motion,
     Parameter,
     Parameters,
     Source,
-    Tolerance,
     Trial,
     Variant,
 )
@@ -115,58 +112,31 @@ def _declare(variant: str, p: Parameters) -> Trial:
     _check(variant, p)
     way = Motion(SEEN[0], axes, lambda t: _motion(p, t)[0], times, "m")
     speed = Motion(SEEN[1], axes, lambda t: _motion(p, t)[1], times, "m/s")
-    slips, rises = (_scaled_bounds(one, p, 0) for one in (SLIPS, RISES))
-    speeds = _scaled_bounds(SPEEDS, p, 1)
+    mass = 2 * DENSITY * SIDE**2 * HALF[variant]
+    by = _driven(p, mass, way.size, speed.size)
     parts = (
-        way.component(0, "slip", "displacement along the slip", slips),
-        way.component(1, "rise", "displacement along the normal of the slope", rises),
-        way.component(
-            2,
-            "drift",
-            "displacement down the slope, which the load prevents",
-            Exact(DRIFTS),
-        ),
-        speed.component(0, "slipping", "velocity along the slip", speeds),
-        speed.component(1, "rising", "velocity along the normal of the slope", speeds),
-        balance(_books(p)),
+        way.component(0, "slip", "displacement along the slip", slips(by)),
+        way.component(1, "rise", "displacement along the normal of the slope", rises(by)),
+        way.component(2, "drift", "displacement down the slope, which the load prevents", DRIFTS),
+        speed.component(0, "slipping", "velocity along the slip", speeds(by, 0)),
+        speed.component(1, "rising", "velocity along the normal of the slope", speeds(by, 1)),
+        balance(books(by)),
     )
     return Trial(Ladder(_scene(variant, p), goal, SEEN, levels(Knobs(1e-4, 1e9))), parts)
 
 
-def _scaled_bounds(bounds: Mapping[Method, Tolerance], p: Parameters, what: int) -> Exact:
-    """The bounds for springs, in proportion to the drives over the displacement or the speed.
-
-    what: 0 for the displacement, 1 for the speed. The given bounds are those at the case's own
-    parameters.
-    """
-    own = CASE.defaults("level")
-    larger = [
-        abs(drive / usual)
-        for drive, usual in zip(_drive_sizes(p), _drive_sizes(own), strict=True)
-        if usual
-    ]
-    moved = [
-        float(np.abs(_motion(one, np.linspace(0, one["duration"], SAMPLES))[what]).max())
-        for one in (p, own)
-    ]
-    times = max(1.0, *larger) * moved[1] / moved[0]
-    return Exact({
-        method: scaled(one, times) if one.kn is not None else one for method, one in bounds.items()
-    })  # fmt: skip
-
-
-def _books(p: Parameters) -> dict[Method, Tolerance]:
-    """The bounds of the ledger, by the accelerations of the block."""
+def _driven(p: Parameters, mass: float, way: float, speed: float) -> Driven:
+    """What drives the block, and its accelerations by differences of its velocity."""
     fine = np.linspace(0.0, p["duration"], 1 + int(np.ceil(10 * FINE * p["duration"])))
-    speed = _motion(p, fine)[1]
-    return booked(speed, np.gradient(speed, fine, axis=0))
-
-
-def _drive_sizes(p: Parameters) -> tuple[float, ...]:
-    """Shaking a [m/s2], motion D of the slope [m], deceleration [m/s2], mu a and mu D."""
-    pressed = p["press"] + p["g"] * np.cos(np.radians(p["alpha"]))
-    slowed = p["mu"] * pressed - p["push"]
-    return p["a"], p["D"], slowed, p["mu"] * p["a"], p["mu"] * p["D"]
+    drives, (one, other, _, lifted) = _drives(p), _sines(p)
+    parts = ((1.0, one), (p["mu"], other), (p["mu"] * lifted.omega**2, lifted))
+    parted = [by * of.amplitude * np.sin(of.omega * fine + of.phase) for by, of in parts]
+    return Driven(
+        times=fine, pressed=laden_block.pressure(fine, **drives), steady=-drives["constant"][1],
+        pulled=np.gradient(_motion(p, fine)[1][:, :2], fine, axis=0),
+        drives=np.stack(parted, axis=1), mass=mass, mu=p["mu"],
+        way=way, speed=speed, gap=APART,
+    )  # fmt: skip
 
 
 SLIP = (

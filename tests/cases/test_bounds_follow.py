@@ -59,6 +59,14 @@ RIGHT = {
     "elastic-block:spun a=4.44 E=1.6e10 spin=1.67": "dda/default",
     "laden-block:level alpha=23.1 mu=0.417 v=3.04 push=0.344 press=2.01 a=0.968 D=0.025 g=13.1 "
     "duration=0.389": "dem/default",
+    "laden-block:level mu=0.267 D=0.0395": "dda/generalised-alpha",
+    "laden-block:level v=1.4 g=8.16": "dda/augmented-lagrangian",
+    "laden-block:turning mu=0.118 D=0.0179 v=1.91 a=2.98 press=2.42 duration=0.67": (
+        "dda/augmented-lagrangian"
+    ),
+    "laden-block:turning mu=0.287 D=0.0167 v=1.74 a=2.42 press=1.25 duration=0.368": (
+        "dda/published"
+    ),
     "oblique-impact:spun-alloy young=6.71e10 poisson=0.337 rho=2530 R=0.139 mu=0.526 v=0.231 "
     "e=0.721": "dem/published",
     "oblique-impact:spun-alloy mu=1.2 e=0.9": "dem/published",

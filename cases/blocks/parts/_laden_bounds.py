@@ -1,149 +1,142 @@
-"""Bounds of a loaded block on a shaking slope, at the parameters of the case."""
+"""Bounds of a loaded block on a shaking slope, from its accelerations and how they change."""
 
 from __future__ import annotations
 
-import dataclasses
+from typing import Any
 
 import numpy as np
 
+from cases.blocks.parts._laden_drives import SOFT, STEP, Driven
 from vv.ask import Method
-from vv.case import LARGEST_TOLERANCE, Tolerance
-from vv.scene import Vector
+from vv.case import LARGEST_TOLERANCE, Exact, Tolerance
 
-SUNK = Tolerance(
-    2e-4,
-    "the block sinks into its springs as the pressure changes, by 1e-4 of its displacement, and "
-    "twice as far where it oscillates",
-    kn=1e8,
-    softness=1,
-)
-SLOWED = Tolerance(
-    5e-5,
-    "friction is in proportion to the pressure, which changes as the block sinks and oscillates: "
-    "an error of 3e-5 of the displacement",
-    kn=1e8,
-    softness=1,
-)
-RATES = Tolerance(
-    1.5e-3,
-    "the block sinks at 1e-3 of its speed as the pressure changes; with implicit "
-    "steps its speed oscillates by 1e-4 on the stiffest springs",
-    kn=1e8,
-    softness=1,
-    floor=1.5e-4,
-)
-SWINGING = Tolerance(
-    1.5e-3,
-    "the block sinks as the pressure changes. At t = 0 the accelerations of slope and block exceed "
-    "by 1.3 m/s2 what their springs are charged for: this leaves an oscillation of 1.3 "
-    "sqrt(m/(4 kn)), 1.1e-3 of the speed, which this step damps within some cycles",
-    kn=1e8,
-    softness=0.5,
-)
-LATE = dataclasses.replace(
-    SLOWED,
-    late=0.5,
-    reason=f"{SLOWED.reason}. Steps may use the drives at their ends, half a step late; friction "
-    "that lags by an iteration adds to it",
-)
-SOON = dataclasses.replace(
-    RATES, late=0.3, reason=f"{RATES.reason}; friction that lags by an iteration adds to it"
-)
-WHOLE = Tolerance(
-    1e-11,
-    "a step that uses the forces at one of its ends has them half a step late, and drives at 5 Hz "
-    "cause a tenth of the speed; the motion also starts half a step late",
-    late=10.0,
-    slack="a scheme whose forces are half a step before its velocities has no such error here",
-)
-FINEST = 3e-11  # bound of a ledger that uses the forces of the motion
+LEAST = 1e-12
 EXACTLY = Tolerance(1e-13, "no event; only rounding errors of Taylor series remain")
 ROUNDED = Tolerance(
     1e-11, "no force acts in this direction; only rounding over 40 000 steps remains"
 )
+DRIFTS = Exact(dict.fromkeys(Method, ROUNDED) | {Method.EXACT: EXACTLY})
+FINEST = 3e-11  # bound of a ledger that uses the forces of the motion
 BOOKED = Tolerance(
     FINEST,
     "the ledger uses the same forces as the motion: only rounding errors of 40 000 steps remain",
 )
-DRIFTS = dict.fromkeys(Method, ROUNDED) | {Method.EXACT: EXACTLY}
-MEANS = Tolerance(
-    1e-6,
-    "a step uses the forces at its ends, or its middle: an error of (w dt)^2/12 in the part of the "
-    "displacement that the drives cause, which is 1 %",
-    dt=1e-3,
-    order=2,
-    floor=1e-11,
+SINKS = (
+    "a spring that carries all loads at the start sinks by (p - p0)/w^2 more as the pressure p "
+    "changes, and oscillates by p'/w^3, w^2 = kn/m; four springs that carry the dead loads alone "
+    "sink by (p - p_s)/(2 w)^2 and oscillate by the sudden part (p0 - p_s)/(2 w)^2 as well"
 )
-FOLLOWS = Tolerance(
-    1.5e-8,
-    "contact is rigid: the block follows the slope in all steps but the first. The gap of 1e-10 m "
-    "at the start is 7e-11 of its displacement",
-    dt=1e-3,
-    order=2,
-    floor=3e-10,
+SWINGS = (
+    "a spring that carries all loads at the start sinks at p'/w^2 as the pressure p changes, and "
+    "oscillates as fast, w^2 = kn/m; four springs that carry the dead loads alone oscillate by the "
+    "sudden part (p0 - p_s)/(2 w) as well"
 )
-SLIPS = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: MEANS,
-    Method.STRAIGHT: MEANS,
-    Method.FIRST_ORDER: WHOLE,
-    Method.PENALTY: SLOWED,
-    Method.LAGGING: LATE,
-}
-RISES = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: FOLLOWS,
-    Method.STRAIGHT: FOLLOWS,
-    Method.FIRST_ORDER: WHOLE,
-    Method.PENALTY: SUNK,
-    Method.LAGGING: SUNK,
-}
-SPEEDS = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        4e-6,
-        "a velocity is the mean of two steps: an error of (w dt)^2/6 in the velocity of the lift, "
-        "which is 2 % of the whole",
-        dt=1e-3,
-        order=2,
-    ),
-    Method.FIRST_ORDER: WHOLE,
-    Method.PENALTY: RATES,
-    Method.DAMPED: SWINGING,
-    Method.LAGGING: SOON,
-}
-BOOKS = {
-    Method.EXACT: EXACTLY,
-    Method.SECOND_ORDER: Tolerance(
-        1e-12, "the ledger uses the same forces as the motion: only rounding errors remain"
-    ),
-    Method.FIRST_ORDER: WHOLE,
-    Method.DAMPED: BOOKED,
-    Method.LAGGING: BOOKED,
-    Method.STRAIGHT: BOOKED,
-}
+RUBS = "; friction is mu times the pressure, and so is what it adds to the motion"
+LAGS = (
+    "; drives may be those at an end of a step, half a step late, and friction that lags by an "
+    "iteration a whole step: their change since the start times dt/2 and dt is missing. The first "
+    "step has no earlier iteration: friction may be wrong by mu p0 in half of it"
+)
 
 
-def booked(speed: Vector, pulled: Vector) -> dict[Method, Tolerance]:
-    """The bounds of the ledger of a block with velocities and accelerations (k, 3)."""
-    squares, step = (pulled**2).sum(axis=1), 1e-3
-    change = float(np.abs(squares - squares[0]).max() / (speed**2).sum(axis=1).max())
-    counted = Tolerance(
-        min(max(change * step**2 / 4, FINEST), LARGEST_TOLERANCE),
+def slips(by: Driven) -> Exact:
+    """The bounds of the displacement along the slip."""
+    means = _bound(
+        by.means / by.way,
+        "a step uses the mean of the forces at its ends, the force in its middle or, of a lift, "
+        "its positions: each drive a has an error of (a - a0 + a0' t) dt^2/12 at most",
+        dt=STEP, order=2, floor=LEAST,
+    )  # fmt: skip
+    own = (by.mu * by.sinks[0] + by.means) / by.way
+    late = by.lags[0] / by.way
+    return Exact({
+        Method.EXACT: EXACTLY,
+        Method.SECOND_ORDER: means,
+        Method.STRAIGHT: means,
+        Method.FIRST_ORDER: _whole(by, 0, by.times[-1] / by.way),
+        Method.PENALTY: _bound(own, SINKS + RUBS, kn=SOFT, softness=1),
+        Method.LAGGING: _bound(own, SINKS + RUBS + LAGS, kn=SOFT, softness=1, late=late),
+    })  # fmt: skip
+
+
+def rises(by: Driven) -> Exact:
+    """The bounds of the displacement along the normal."""
+    gap = 3 * by.gap / by.way
+    follows = _bound(
+        max(np.abs(by.jerks[:, 1]).max() * STEP**3 / 6 / by.way, gap),
+        "contact is rigid: the block follows the slope in all steps but the first, in which its "
+        "acceleration changes by a' dt: an error of a' dt^3/6 at most, and the gap at the start",
+        dt=STEP, order=3, floor=gap,
+    )  # fmt: skip
+    sunk = _bound(by.sinks[0] / by.way, SINKS, kn=SOFT, softness=1)
+    return Exact({
+        Method.EXACT: EXACTLY,
+        Method.SECOND_ORDER: follows,
+        Method.STRAIGHT: follows,
+        Method.FIRST_ORDER: _whole(by, 1, by.times[-1] / by.way),
+        Method.PENALTY: sunk,
+        Method.LAGGING: sunk,
+    })  # fmt: skip
+
+
+def speeds(by: Driven, axis: int) -> Exact:
+    """The bounds of the velocity along the slip, axis 0, or the normal, axis 1."""
+    means = np.abs(by.jerks[:, axis]).max() * STEP**2 / 6 / by.speed
+    own = (1.0, by.mu)[axis == 0] * by.sinks[1] / by.speed + means
+    reason, late = (SWINGS + RUBS, by.lags[1] / by.speed) if axis == 0 else (SWINGS, 0.0)
+    return Exact({
+        Method.EXACT: EXACTLY,
+        Method.SECOND_ORDER: _bound(
+            means, "a velocity is the mean of two steps: an error of a' dt^2/6 at most",
+            dt=STEP, order=2,
+        ),
+        Method.FIRST_ORDER: _whole(by, axis, 1 / by.speed),
+        Method.PENALTY: _bound(own, reason, kn=SOFT, softness=0.5),
+        Method.LAGGING: _bound(
+            own, reason + (LAGS if late else ""), kn=SOFT, softness=0.5, late=late
+        ),
+    })  # fmt: skip
+
+
+def books(by: Driven) -> dict[Method, Tolerance]:
+    """The bounds of the ledger."""
+    swings = np.array([by.mu, 1.0]) * by.rate / by.w
+    started, sizes = (by.pulled[0] ** 2).sum(), np.abs(by.pulled)
+    most = ((sizes + swings) ** 2).sum(axis=1).max()
+    least = (np.maximum(sizes - swings, 0.0) ** 2).sum(axis=1).min()
+    change = max(most - started, started - least) / by.speed**2
+    counted = _bound(
+        max(change * STEP**2 / 4, FINEST),
         "explicit steps count the work of the mean of the forces at their ends, and have the mean "
         "of two velocities: energy over mass is off by (a^2 - a0^2) dt^2/8, a the acceleration now "
-        "and a0 at the start, of the v^2/2 that is stored",
-        dt=step,
-        order=2,
-        floor=FINEST,
+        "and a0 at the start, of the v^2/2 that is stored; a oscillates by p'/w on the spring",
+        dt=STEP, order=2, floor=FINEST,
         slack="implicit steps count the work of the forces that move the block",
-    )
-    return {**BOOKS, Method.PENALTY: counted}
+    )  # fmt: skip
+    return {
+        Method.EXACT: EXACTLY,
+        Method.SECOND_ORDER: Tolerance(
+            1e-12, "the ledger uses the same forces as the motion: only rounding errors remain"
+        ),
+        Method.FIRST_ORDER: _whole(by, 0, 2 / by.speed),
+        Method.DAMPED: BOOKED,
+        Method.LAGGING: BOOKED,
+        Method.STRAIGHT: BOOKED,
+        Method.PENALTY: counted,
+    }
 
 
-def scaled(bound: Tolerance, times: float) -> Tolerance:
-    """A bound that is `times` as large, up to the largest tolerance."""
-    value = min(times * bound.value, LARGEST_TOLERANCE)
-    floor, late = min(times * bound.floor, value), times * bound.late
-    reason = f"{bound.reason}. The bound is scaled by the largest drive over the motion"
-    return dataclasses.replace(bound, value=value, floor=floor, late=late, reason=reason)
+def _whole(by: Driven, axis: int, scale: float) -> Tolerance:
+    """The bound of a scheme of first order; scale: what a speed of 1 m/s does to the quantity."""
+    return _bound(
+        1e-11,
+        "a step that uses the forces at one of its ends has them half a step late, and the motion "
+        "may start half a step late: an error of a dt of the speed",
+        late=float(np.abs(by.pulled[:, axis]).max()) * scale,
+        slack="a scheme whose forces are half a step before its velocities has no such error here",
+    )  # fmt: skip
+
+
+def _bound(value: float, reason: str, **scaling: Any) -> Tolerance:
+    """A tolerance of at least rounding and at most the largest one."""
+    return Tolerance(min(max(float(value), LEAST), LARGEST_TOLERANCE), reason, **scaling)
