@@ -118,3 +118,8 @@ def test_a_drawing_is_not_dated(
     monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda _, file, **how: kept.update(how))
     picture([scheme("a/b", (1e-3, None, 1e-4, 1.0))], "t", tmp_path / name)
     assert kept["metadata"] == dated
+
+
+def test_a_drawing_is_605_by_331_points(tmp_path: Path) -> None:
+    picture([scheme("a/b", (1e-3, None, 1e-4, 1.0))], "t", tmp_path / "a.svg")
+    assert 'width="604.8pt" height="331.2pt"' in (tmp_path / "a.svg").read_text()
