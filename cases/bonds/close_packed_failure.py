@@ -68,6 +68,11 @@ def _strain_at_sliding(p: Parameters) -> float:
     return abs(sliding_failure(_element(p), p["d"]).strain)
 
 
+def _apart(p: Parameters) -> float:
+    """The strain between two outputs."""
+    return BEYOND * _strain_at_sliding(p) / OUTPUTS
+
+
 def _element(p: Parameters) -> Element:
     return Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
 
@@ -103,7 +108,7 @@ def _counts(
                half, half_due, half_due, Shown(TIED)),
         Scalar("half beyond", "d e_half", "", "difference of that strain from the nearest slow "
                "history",
-               outside, 0.0, half_due, landmark_bounds(p, block)),
+               outside, 0.0, half_due, landmark_bounds(p, block, _apart(p))),
     )  # fmt: skip
 
 
@@ -219,11 +224,11 @@ def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
                one.off, 0.0, one.largest,
                history_bounds(p, block, 0.0 if own else one.early())),
         Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", one.first,
-               one.lowest, one.lowest, landmark_bounds(p, block)),
+               one.lowest, one.lowest, landmark_bounds(p, block, _apart(p))),
         Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall", one.top,
                one.largest, one.largest, Shown(TIED)),
         Scalar("A1 beyond", "d sigma(A1)", "Pa", "difference of A1 from the nearest slow history",
-               one.outside, 0.0, one.largest, landmark_bounds(p, block)),
+               one.outside, 0.0, one.largest, landmark_bounds(p, block, _apart(p))),
         Scalar("E after", "E'", "Pa", "slope of the pressure with all level bonds "
                "open", one.after, one.softer,
                one.softer, slope_bounds(p) if own or not one.waves_slide() else Shown(SLID)),

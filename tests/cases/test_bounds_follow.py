@@ -86,6 +86,7 @@ RIGHT = {
     "close-packed-failure:82 kn=6.47e7 ks=1.05e7 xb=1.85e-7 fs0=11.2 mu_p=0.508 d=0.00125 "
     "m=1.96e-6 rate=-1.37": "dem/default",
     "close-packed-failure:82 ks=5.29e6": "dem/default",
+    "close-packed-failure:82 fs0=38.8 d=0.00108": "dem/default",
     "packing:seed-1 m=0.0035 kn=7.86e4 g=5.17": "dem/default",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
         "dem/default"

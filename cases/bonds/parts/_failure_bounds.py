@@ -5,12 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from cases.bonds._quartzite import BRITTLE
+from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice
 from vv.ask import Method
 from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
 
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 SMALL = 82
+FIRST = 0.6  # strain of the first opening over that at which the lattice opens, by Eq. 8
 WAVES = (
     "in blocks of more than 82 elements the wave of an opening also opens bonds that bear up to a "
     "twentieth less, at any rate"
@@ -31,10 +33,16 @@ def history_bounds(p: Parameters, block: Lattice, early: float) -> Exact:
     )
 
 
-def landmark_bounds(p: Parameters, block: Lattice) -> Exact:
+def landmark_bounds(p: Parameters, block: Lattice, apart: float) -> Exact:
+    """apart: the strain between two outputs."""
+    springs = {name: p[name] for name in ("kn", "ks", "d")}
+    opens = lattice_material.opening_strength(xb=p["xb"], **springs)
+    first = FIRST * opens / lattice_material.youngs_modulus(**springs)
+    pace = max(1.0, _pace(p))
     return bounds(
-        min(LARGEST_TOLERANCE, _waves(block, 6e-3) * max(1.0, _pace(p))),
-        "outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s; "
+        min(LARGEST_TOLERANCE, max(_waves(block, 6e-3) * pace, apart / first + 1.8e-3 * pace)),
+        "an output may precede an opening by the strain between outputs, over that of the first "
+        "opening, 0.6 of that by Eq. 8; viscosity adds a thousandth at a rate of 1/s; "
         f"{WAVES}; {PACED}",
         slack="how soon an output follows an opening is chance",
     )
