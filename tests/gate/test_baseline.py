@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 
 from tests.support.fabricated import changed, entry, record, requantified
 from vv.gate import acceptance, regression, speed
-from vv.gate.regression import EXTERNAL, IN_HOUSE, Band, Strictness
+from vv.gate.bands import EXTERNAL, IN_HOUSE, Band
+from vv.gate.regression import Strictness
 from vv.records import codec
 from vv.records.accepted import Acceptance, Baseline, Place
 from vv.records.finding import Bit, Finding

@@ -5,7 +5,8 @@ import pytest
 from tests.support.acceptances import accepted, ran
 from tests.support.fabricated import changed, requantified
 from vv.gate import regression
-from vv.gate.regression import EXTERNAL, IN_HOUSE, LARGE, Strictness
+from vv.gate.bands import EXTERNAL, IN_HOUSE, LARGE
+from vv.gate.regression import Strictness
 from vv.records.accepted import Baseline
 from vv.records.finding import Bit, Finding
 from vv.records.job_record import Record

@@ -19,6 +19,7 @@ from vv.plan.project import Project, find
 if TYPE_CHECKING:
     from vv.plan.plan import Plan
     from vv.records.accepted import Acceptance, Place
+    from vv.records.job_record import Record
     from vv.records.manifest import Manifest
     from vv.records.recorded import RecordedFile
 
@@ -52,7 +53,24 @@ def accept(
     result_lines.print_difference(manifest, case)
     result_lines.print_unacceptable(r for r in manifest.records if tried(r) and not acceptable(r))
     if not dry_run:
-        _write_baseline(project, case, manifest, reason.strip(), paper)
+        nudged = _run_nudged(project, plan, manifest)
+        _write_baseline(project, case, manifest, nudged, reason.strip(), paper)
+
+
+def _run_nudged(project: Project, plan: Plan, manifest: Manifest) -> list[Record]:
+    """Run what ran again, with all masses changed in the last digit."""
+    from vv.output.progress import progress
+    from vv.plan.nudged import with_masses_nudged
+    from vv.plan.plan import with_jobs_kept
+    from vv.records.reading import ran
+    from vv.run.limits import Limits
+    from vv.run.session import records_alone
+
+    finished = {(record.variant, record.label) for record in filter(ran, manifest.records)}
+    due = with_jobs_kept(plan, lambda job: (job.variant, f"{job.code}/{job.scheme}") in finished)
+    with progress() as shown:
+        limits = Limits(options.workers(0), options.TIMEOUT)
+        return records_alone(project, with_masses_nudged(due), limits, shown)
 
 
 def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
@@ -68,7 +86,12 @@ def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
 
 
 def _write_baseline(
-    project: Project, case: str, manifest: Manifest, reason: str, paper: bool
+    project: Project,
+    case: str,
+    manifest: Manifest,
+    nudged: list[Record],
+    reason: str,
+    paper: bool,
 ) -> None:
     """Write the case's new baseline and the answers of its schemes, and print where they are."""
     from vv.gate import acceptance, answers
@@ -83,6 +106,7 @@ def _write_baseline(
         _acceptance(manifest, reason),
         manifest.external(),
         later,
+        nudged,
     )
     path = baselines_of(project) / f"{case}.json"
     text = render(new).encode()

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 
 from vv.ask import Status
+from vv.gate.bands import EVERY_STEP, Band, band_of, rounding_of
 from vv.gate.baseline import name_of, result_of
 from vv.gate.regression import within_bands
 from vv.records.accepted import Acceptance, AcceptedResult, Baseline
@@ -29,13 +30,15 @@ def accepted(
     acceptance: Acceptance,
     external: Collection[str],
     later: Collection[str] = (),
+    nudged: Iterable[Record] = (),
 ) -> Baseline:
     """The baseline with these records added, and with their acceptance.
 
     Results of codes that are not installed here are kept, and so are those of `later` variants,
     which only a higher level runs. Results of schemes that now refuse, or no longer exist, are
     removed. A result that did not leave its band is not replaced, so that small changes cannot
-    accumulate unnoticed.
+    accumulate unnoticed. nudged: records of the same jobs with all masses changed in the last
+    digit, from which follows how far rounding may move a result.
     """
     given = [r for r in records if r.case == case]
     old = baseline or Baseline(case)
@@ -46,9 +49,11 @@ def accepted(
         for name, result in old.results.items()
         if name.split(" ")[0] in later or name.split(" ")[1] in absent
     }
+    again = {name_of(r): result_of(r, number) for r in nudged if r.case == case}
     for record in filter(acceptable, given):
-        name = name_of(record)
-        results[name] = _accepted_result(old.results.get(name), record, number, external)
+        name, now = name_of(record), result_of(record, number)
+        now = _with_rounding(now, again.get(name), band_of(record.code, external))
+        results[name] = _accepted_result(old.results.get(name), now, record, external)
     used = {result.by for result in results.values()}
     given_by = {**old.acceptances, number: acceptance}
     variants = {name.split(" ")[0] for name in results}
@@ -62,12 +67,43 @@ def accepted(
 
 
 def _accepted_result(
-    before: AcceptedResult | None, record: Record, number: str, external: Collection[str]
+    before: AcceptedResult | None, now: AcceptedResult, record: Record, external: Collection[str]
 ) -> AcceptedResult:
-    """The accepted result if the record is within its band, else the result of the record."""
-    new = result_of(record, number)
+    """The accepted result if the record is within its band, else that of the record, `now`."""
     if before is None:
-        return new
-    cost = new.cost or before.cost
-    same = within_bands(before, record, external) and before.cost == cost
-    return before if same else dataclasses.replace(new, cost=cost)
+        return now
+    kept = _with_wider_rounding(before, now)
+    cost = now.cost or before.cost
+    same = within_bands(kept, record, external) and before.cost == cost
+    return kept if same else dataclasses.replace(now, cost=cost)
+
+
+def _with_rounding(now: AcceptedResult, again: AcceptedResult | None, band: Band) -> AcceptedResult:
+    """A result with the movements by rounding that may widen a band; without a second run none."""
+    if again is None:
+        return now
+    beside = again.quantities
+    moved = {name: rounding_of(one, beside.get(name)) for name, one in now.quantities.items()}
+    return _rounded(now, {n: r for n, r in moved.items() if EVERY_STEP * r > band.width})
+
+
+def _with_wider_rounding(before: AcceptedResult, now: AcceptedResult) -> AcceptedResult:
+    """An accepted result with the larger of its own movements by rounding and those of `now`."""
+    larger = {}
+    for name, one in before.quantities.items():
+        new = now.quantities.get(name)
+        known = [each.rounding for each in (one, new) if each and each.rounding is not None]
+        if known:
+            larger[name] = max(known)
+    return _rounded(before, larger)
+
+
+def _rounded(result: AcceptedResult, roundings: Mapping[str, float]) -> AcceptedResult:
+    """A result with these movements by rounding, to two digits."""
+    quantities = {
+        name: dataclasses.replace(
+            one, rounding=float(f"{roundings[name]:.2g}") if name in roundings else None
+        )
+        for name, one in result.quantities.items()
+    }
+    return dataclasses.replace(result, quantities=quantities)

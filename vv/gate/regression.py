@@ -1,9 +1,7 @@
 """Compares a run with the accepted results: what moved, and beyond which band.
 
 Bands apply to figures relative to the accepted scale, and to errors, which are relative already: a
-tiny error may multiply without leaving its band, since that is rounding. If an answer is wrong by
-more than its scale, or is larger than the scale and has no error that would show it, its rounding
-is larger by the same factor, and so are the bands.
+tiny error may multiply without leaving its band, since that is rounding.
 """
 
 from __future__ import annotations
@@ -12,6 +10,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from vv.ask import Status
+from vv.gate.bands import LARGE, Band, band_of, shift_of, size_of, widened
 from vv.gate.baseline import name_of
 from vv.records.accepted import AcceptedQuantity, AcceptedResult, Baseline
 from vv.records.finding import Aspect, Bit, Change, Finding
@@ -20,21 +19,8 @@ from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import ran, rung
 
 SHOWN = 3  # digits of an error, where no more are needed to see that it changed
-LARGE = 1e99  # stands for an infinite change
 
 
-@dataclass(frozen=True)
-class Band:
-    """How far a value relative to its scale, and an error, may move, with the reason."""
-
-    width: float
-    reason: str
-
-
-IN_HOUSE = Band(1e-9, "our own arithmetic: only the last bits may differ between platforms")
-EXTERNAL = Band(
-    1e-6, "an external program: another build of it may round otherwise in each of many steps"
-)
 RED = (Change.WORSE, Change.MOVED, Change.GONE)
 
 
@@ -140,7 +126,7 @@ def _finding(record: Record, moved: Moved, bit: Bit, enforced: bool) -> Finding:
 
 def _changes(then: AcceptedResult, record: Record, external: Collection[str]) -> Iterator[Moved]:
     """Each quantity of a record that left its band."""
-    band = EXTERNAL if record.code in external else IN_HOUSE
+    band = band_of(record.code, external)
     now = {one.name: one for one in record.quantities}
     for name in sorted(then.quantities.keys() | now.keys()):
         moved = _change(name, then.quantities.get(name), now.get(name), band)
@@ -161,16 +147,14 @@ def _change(
         change = Change.WORSE if error is None else Change.BETTER
         return Moved(name, change, f"error {_in_words(before)}, now {_in_words(error)}")
     drift = (error or 0.0) - (before or 0.0)
-    shift = _shift(then, now)
-    beyond = _size(then) if error is None else max(before or 0.0, error)
-    width = band.width * max(1.0, beyond)
-    size = min(max(abs(drift), shift) / width, LARGE)
-    if abs(drift) > width:
-        return _error_moved(
-            name, before or 0.0, error or 0.0, size, f"it may move by {width:.2g}: {band.reason}"
-        )
-    if not shift <= width:
-        text = f"value moved by {shift:.3g} of its scale; it may move by {width:.2g}: {band.reason}"
+    shift = shift_of(then, now)
+    wide = widened(band, then, size_of(then) if error is None else max(before or 0.0, error))
+    size = min(max(abs(drift), shift) / wide.width, LARGE)
+    allowed = f"it may move by {wide.width:.2g}: {wide.reason}"
+    if abs(drift) > wide.width:
+        return _error_moved(name, before or 0.0, error or 0.0, size, allowed)
+    if not shift <= wide.width:
+        text = f"value moved by {shift:.3g} of its scale; {allowed}"
         return Moved(name, Change.MOVED, text, size)
     return None
 
@@ -186,22 +170,6 @@ def _error_moved(name: str, was: float, error: float, size: float, band: str) ->
         return None
     text = f"error {was:.{digits}g}, now {error:.{digits}g}; {band}"
     return Moved(name, change, text, size)
-
-
-def _shift(then: AcceptedQuantity, now: MeasuredQuantity) -> float:
-    """The largest change of a figure over the scale that was accepted."""
-    names = then.figures.keys() | now.figures.keys()
-    pairs = [(then.figures.get(name), now.figures.get(name)) for name in names]
-    if any((a is None) != (b is None) for a, b in pairs):
-        return float("inf")
-    changes = [abs(a - b) for a, b in pairs if a is not None and b is not None]
-    return max(changes, default=0.0) / (then.scale or 1.0)
-
-
-def _size(then: AcceptedQuantity) -> float:
-    """The largest figure over the scale that was accepted."""
-    figures = [abs(value) for value in then.figures.values() if value is not None]
-    return max(figures, default=0.0) / (then.scale or 1.0)
 
 
 def _in_words(error: float | None) -> str:

@@ -34,11 +34,16 @@ class Acceptance:
 
 @dataclass(frozen=True, slots=True)
 class AcceptedQuantity:
-    """The accepted data of a quantity: its error, its scale, and a few figures of its value."""
+    """The accepted data of a quantity: its error, its scale, and a few figures of its value.
+
+    rounding: by how much a figure over the scale, or the error, moved when all masses were changed
+    in the last digit; None if that is too little to matter.
+    """
 
     error: float | None
     scale: float | None
     figures: Mapping[str, float | None] = spread()
+    rounding: float | None = optional(None)
 
 
 @dataclass(frozen=True, slots=True)

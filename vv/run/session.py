@@ -76,6 +76,15 @@ def carry_out(
     return manifest
 
 
+def records_alone(project: Project, plan: Plan, limits: Limits, progress: Progress) -> list[Record]:
+    """Run what is not stored, and return the records, which are not judged and in no manifest."""
+    store = Store(project.data())
+    stored = StoredJobs.of(project, plan, store)
+    place = _executor(project, plan, limits, store)
+    records = _until(records_of(plan, limits, stored, place, progress.begin), progress, None)
+    return [records[number] for number in sorted(records)]
+
+
 def _manifest(
     project: Project,
     plan: Plan,

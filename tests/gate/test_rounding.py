@@ -1,0 +1,119 @@
+"""How far rounding may move an accepted result: as far as ten times a change in the last digit."""
+
+import json
+
+import numpy as np
+import pytest
+
+from tests.conftest import Tiny
+from tests.support.acceptances import ACCEPTANCE, ran
+from tests.support.fabricated import changed, entry
+from vv.gate import acceptance, regression
+from vv.gate.bands import EXTERNAL, IN_HOUSE, LARGE, widened
+from vv.gate.regression import Strictness
+from vv.plan.nudged import LAST_DIGIT, with_masses_nudged
+from vv.plan.plan import Options
+from vv.plan.planning import make_plan
+from vv.plan.project import find
+from vv.records.accepted import AcceptedQuantity, Baseline
+from vv.records.job_record import Record
+
+
+def kept(
+    record: Record, nudged: Record | None, old: Baseline | None = None, codes: tuple[str, ...] = ()
+) -> Baseline:
+    again = [] if nudged is None else [nudged]
+    return acceptance.accepted("bounce", old, [record], ACCEPTANCE, codes, (), again)
+
+
+def roundings(baseline: Baseline) -> set[float | None]:
+    results = baseline.results.values()
+    return {one.rounding for result in results for one in result.quantities.values()}
+
+
+@pytest.mark.parametrize(
+    ("moved", "codes", "rounding"),
+    [
+        (0.9e-10, (), None),  # times ten it is less than the band of 1e-9
+        (1.26e-10, (), 1.3e-10),
+        (1.26e-10, ("dem",), None),  # the band of external codes is 1e-6
+        (4.4e-7, ("dem",), 4.4e-7),
+        (0.5, (), 0.5),
+    ],
+)
+def test_what_a_last_digit_moves_is_stored_where_it_may_widen_the_band(
+    moved: float, codes: tuple[str, ...], rounding: float | None
+) -> None:
+    found = kept(ran(1e-4), ran(1e-4 + moved), codes=codes)
+    assert roundings(found) == {rounding}
+
+
+def test_figures_move_by_their_scale_and_what_is_lost_by_any_amount() -> None:
+    figures = {"final": 3.0, "mean": 1.0}
+    moved = entry("pass", {"max": 1e-4}, scale=2.0, figures={**figures, "mean": 1.0 + 4e-6})
+    assert roundings(kept(ran(), changed(ran(), quantities=[moved]))) == {2e-6}
+    assert roundings(kept(ran(), changed(ran(), quantities=[]))) == {LARGE}
+    assert roundings(kept(ran(), ran(None))) == {LARGE}
+    assert roundings(kept(ran(), None)) == {None}
+
+
+def test_a_band_is_ten_times_what_a_last_digit_moves_and_says_so() -> None:
+    then = kept(ran(1e-4), ran(1.3e-4))
+    strict = Strictness((), True, False)
+    within, beyond = (
+        regression.compare("bounce", [ran(1e-4 + drift)], then, strict)
+        for drift in (2.9e-4, 3.1e-4)
+    )
+    assert within == []
+    (found,) = beyond
+    assert found.text == (
+        "error 0.0001, now 0.00041; it may move by 0.0003: a change of all masses in the last "
+        "digit moved it by 3e-05, and another platform rounds otherwise in every step"
+    )
+
+
+@pytest.mark.parametrize("band", [IN_HOUSE, EXTERNAL])
+def test_a_band_is_never_narrower_than_that_of_the_code(band: object) -> None:
+    own = IN_HOUSE if band is IN_HOUSE else EXTERNAL
+    assert widened(own, AcceptedQuantity(0.1, 1.0, {}), 0.1) == own
+    small = AcceptedQuantity(0.1, 1.0, {}, rounding=own.width / 20)
+    assert widened(own, small, 0.1) == own
+    assert widened(own, small, 3.0).width == 3 * own.width
+
+
+def test_a_result_that_stays_keeps_the_larger_of_its_movements_by_rounding() -> None:
+    first = kept(ran(1e-4), ran(1.2e-4))
+    for again, rounding in ((ran(1.1e-4), 2e-5), (ran(1.3e-4), 3e-5), (None, 2e-5)):
+        assert roundings(kept(ran(1e-4 + 1e-12), again, first)) == {rounding}
+    replaced = kept(ran(5e-3), ran(5e-3 + 1e-6), first)
+    assert roundings(replaced) == {1e-6}
+    assert {result.by for result in replaced.results.values()} == {"2"}
+
+
+def test_nudged_jobs_differ_in_the_last_digit_of_all_masses_alone() -> None:
+    options = Options(codes=("exact", "dem"))
+    plan = make_plan(find(), ("responding-block:1d", "bounce:floor"), options)
+    nudged = with_masses_nudged(plan)
+    assert len(nudged.jobs) == len(plan.jobs) > 2
+    for job, other in zip(plan.jobs, nudged.jobs, strict=True):
+        assert (other.label, other.parameters) == (job.label, job.parameters)
+        assert other.ask.digest() != job.ask.digest()
+        for one, heavier in zip(job.ask.scene.blocks, other.ask.scene.blocks, strict=True):
+            assert heavier.mass == LAST_DIGIT * one.mass > one.mass
+            np.testing.assert_array_equal(heavier.inertia, LAST_DIGIT * one.inertia)
+            np.testing.assert_array_equal(heavier.vertices, one.vertices)
+        was, now = job.ask.scene.spheres, other.ask.scene.spheres
+        np.testing.assert_array_equal(now.mass, LAST_DIGIT * was.mass)
+        np.testing.assert_array_equal(now.position, was.position)
+
+
+def test_accepting_measures_what_a_last_digit_moves(tiny: Tiny) -> None:
+    tiny.edit("adapters/fake.py", "(*map(scheme, NAMES), Scheme(", "(scheme('good'),) or (Scheme(")
+    grown = "y = FACTOR * (1 + ROUNDING) * (1 + 1e8 * (ball.mass[0] - 1)) * y"
+    tiny.edit("adapters/fake.py", "y = FACTOR * (1 + ROUNDING) * y", grown)
+    done = tiny.vv("accept", "fall", "--reason", "it was looked at")
+    assert done.returncode == 0, done.stderr
+    stored = json.loads((tiny.root / "cases" / "baselines" / "fall.json").read_text())
+    up = stored["results"]["up fake/good dt=0.1"]
+    assert 0.5 < up["y"]["rounding"] / (1e8 * (LAST_DIGIT - 1)) < 2.0
+    assert "rounding" not in up["turns"]

@@ -1,0 +1,73 @@
+"""How far a result may move from the accepted one, since platforms and builds round differently.
+
+If an answer is wrong by more than its scale, or is larger than the scale and has no error that
+would show it, its rounding is larger by the same factor, and so is its band. Where rounding grows
+in time, as in impacts of many blocks, a second run shows by how much: one in which all masses
+differ in the last digit. Its distance from the accepted run is stored with the result, and the band
+is a multiple of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from vv.records.accepted import AcceptedQuantity
+from vv.records.quantity import MeasuredQuantity
+
+LARGE = 1e99  # stands for an infinite change
+EVERY_STEP = 10.0  # bands over what one change moved: a platform rounds otherwise in every step
+
+
+@dataclass(frozen=True)
+class Band:
+    """How far a value relative to its scale, and an error, may move, with the reason."""
+
+    width: float
+    reason: str
+
+
+IN_HOUSE = Band(1e-9, "our own arithmetic: only the last bits may differ between platforms")
+EXTERNAL = Band(
+    1e-6, "an external program: another build of it may round otherwise in each of many steps"
+)
+
+
+def band_of(code: str, external: Collection[str]) -> Band:
+    """The band of a code where rounding does not grow. external: codes that others made."""
+    return EXTERNAL if code in external else IN_HOUSE
+
+
+def widened(band: Band, then: AcceptedQuantity, beyond: float) -> Band:
+    """The band of a quantity. beyond: its error or size over its scale."""
+    width = band.width * max(1.0, beyond)
+    rounding = then.rounding or 0.0
+    if EVERY_STEP * rounding <= width:
+        return Band(width, band.reason)
+    nudge = f"a change of all masses in the last digit moved it by {rounding:.2g}"
+    reason = f"{nudge}, and another platform rounds otherwise in every step"
+    return Band(EVERY_STEP * rounding, reason)
+
+
+def rounding_of(then: AcceptedQuantity, again: AcceptedQuantity | None) -> float:
+    """By how much a quantity differs in a second run, as bands count it; LARGE if it lacks it."""
+    if again is None or (then.error is None) != (again.error is None):
+        return LARGE
+    moved = max(shift_of(then, again), abs((then.error or 0.0) - (again.error or 0.0)))
+    return min(moved, LARGE)
+
+
+def shift_of(then: AcceptedQuantity, now: AcceptedQuantity | MeasuredQuantity) -> float:
+    """The largest change of a figure over the scale that was accepted."""
+    names = then.figures.keys() | now.figures.keys()
+    pairs = [(then.figures.get(name), now.figures.get(name)) for name in names]
+    if any((a is None) != (b is None) for a, b in pairs):
+        return float("inf")
+    changes = [abs(a - b) for a, b in pairs if a is not None and b is not None]
+    return max(changes, default=0.0) / (then.scale or 1.0)
+
+
+def size_of(then: AcceptedQuantity) -> float:
+    """The largest figure over the scale that was accepted."""
+    figures = [abs(value) for value in then.figures.values() if value is not None]
+    return max(figures, default=0.0) / (then.scale or 1.0)
