@@ -11,7 +11,7 @@ from tests.support.fabricated import changed, entry
 from vv.gate import acceptance, regression
 from vv.gate.bands import EXTERNAL, IN_HOUSE, LARGE, widened
 from vv.gate.regression import Strictness
-from vv.plan.nudged import LAST_DIGIT, with_masses_nudged
+from vv.plan.nudged import NUDGES, Nudge, nudged_plan
 from vv.plan.plan import Options
 from vv.plan.planning import make_plan
 from vv.plan.project import find
@@ -20,10 +20,9 @@ from vv.records.job_record import Record
 
 
 def kept(
-    record: Record, nudged: Record | None, old: Baseline | None = None, codes: tuple[str, ...] = ()
+    record: Record, *nudged: Record, old: Baseline | None = None, codes: tuple[str, ...] = ()
 ) -> Baseline:
-    again = [] if nudged is None else [nudged]
-    return acceptance.accepted("bounce", old, [record], ACCEPTANCE, codes, (), again)
+    return acceptance.accepted("bounce", old, [record], ACCEPTANCE, codes, (), nudged)
 
 
 def roundings(baseline: Baseline) -> set[float | None]:
@@ -54,7 +53,7 @@ def test_figures_move_by_their_scale_and_what_is_lost_by_any_amount() -> None:
     assert roundings(kept(ran(), changed(ran(), quantities=[moved]))) == {2e-6}
     assert roundings(kept(ran(), changed(ran(), quantities=[]))) == {LARGE}
     assert roundings(kept(ran(), ran(None))) == {LARGE}
-    assert roundings(kept(ran(), None)) == {None}
+    assert roundings(kept(ran())) == {None}
 
 
 def test_a_band_is_ten_times_what_a_last_digit_moves_and_says_so() -> None:
@@ -67,8 +66,8 @@ def test_a_band_is_ten_times_what_a_last_digit_moves_and_says_so() -> None:
     assert within == []
     (found,) = beyond
     assert found.text == (
-        "error 0.0001, now 0.00041; it may move by 0.0003: a change of all masses in the last "
-        "digit moved it by 3e-05, and another platform rounds otherwise in every step"
+        "error 0.0001, now 0.00041; it may move by 0.0003: a change of the scene in the last "
+        "digits moved it by 3e-05, and another platform rounds otherwise in every step"
     )
 
 
@@ -83,28 +82,44 @@ def test_a_band_is_never_narrower_than_that_of_the_code(band: object) -> None:
 
 def test_a_result_that_stays_keeps_the_larger_of_its_movements_by_rounding() -> None:
     first = kept(ran(1e-4), ran(1.2e-4))
-    for again, rounding in ((ran(1.1e-4), 2e-5), (ran(1.3e-4), 3e-5), (None, 2e-5)):
-        assert roundings(kept(ran(1e-4 + 1e-12), again, first)) == {rounding}
-    replaced = kept(ran(5e-3), ran(5e-3 + 1e-6), first)
+    for again, rounding in (([ran(1.1e-4)], 2e-5), ([ran(1.3e-4)], 3e-5), ([], 2e-5)):
+        assert roundings(kept(ran(1e-4 + 1e-12), *again, old=first)) == {rounding}
+    replaced = kept(ran(5e-3), ran(5e-3 + 1e-6), old=first)
     assert roundings(replaced) == {1e-6}
     assert {result.by for result in replaced.results.values()} == {"2"}
 
 
-def test_nudged_jobs_differ_in_the_last_digit_of_all_masses_alone() -> None:
+def test_of_several_runs_the_one_that_moved_farthest_counts() -> None:
+    assert roundings(kept(ran(1e-4), ran(1.1e-4), ran(1.4e-4), ran(1.2e-4))) == {4e-5}
+
+
+def test_nudged_jobs_differ_in_last_digits_alone() -> None:
     options = Options(codes=("exact", "dem"))
     plan = make_plan(find(), ("responding-block:1d", "bounce:floor"), options)
-    nudged = with_masses_nudged(plan)
+    nudge = Nudge(0.5, 0.25, 0.125)
+    nudged = nudged_plan(plan, nudge)
     assert len(nudged.jobs) == len(plan.jobs) > 2
     for job, other in zip(plan.jobs, nudged.jobs, strict=True):
         assert (other.label, other.parameters) == (job.label, job.parameters)
-        assert other.ask.digest() != job.ask.digest()
-        for one, heavier in zip(job.ask.scene.blocks, other.ask.scene.blocks, strict=True):
-            assert heavier.mass == LAST_DIGIT * one.mass > one.mass
-            np.testing.assert_array_equal(heavier.inertia, LAST_DIGIT * one.inertia)
-            np.testing.assert_array_equal(heavier.vertices, one.vertices)
-        was, now = job.ask.scene.spheres, other.ask.scene.spheres
-        np.testing.assert_array_equal(now.mass, LAST_DIGIT * was.mass)
-        np.testing.assert_array_equal(now.position, was.position)
+        was, now = job.ask.scene, other.ask.scene
+        np.testing.assert_array_equal(now.gravity, 1.25 * was.gravity)
+        for one, heavier in zip(was.blocks, now.blocks, strict=True):
+            assert heavier.mass == 1.5 * one.mass
+            np.testing.assert_array_equal(heavier.inertia, 1.5 * one.inertia)
+            np.testing.assert_array_equal(heavier.vertices, 1.125 * one.vertices)
+            np.testing.assert_array_equal(heavier.velocity, one.velocity)
+        for wall, moved in zip(was.walls, now.walls, strict=True):
+            np.testing.assert_array_equal(moved.point, 1.125 * wall.point)
+        np.testing.assert_array_equal(now.spheres.mass, 1.5 * was.spheres.mass)
+        np.testing.assert_array_equal(now.spheres.inertia, 1.5 * was.spheres.inertia)
+        np.testing.assert_array_equal(now.spheres.position, 1.125 * was.spheres.position)
+        np.testing.assert_array_equal(now.spheres.radius, was.spheres.radius)
+
+
+def test_nudges_change_masses_gravity_and_positions_by_few_of_the_smallest_steps() -> None:
+    for name in ("mass", "gravity", "position"):
+        sizes = [abs(getattr(nudge, name)) / np.finfo(float).eps for nudge in NUDGES]
+        assert 1.0 < max(sizes) <= 16.0
 
 
 def test_accepting_measures_what_a_last_digit_moves(tiny: Tiny) -> None:
@@ -115,5 +130,6 @@ def test_accepting_measures_what_a_last_digit_moves(tiny: Tiny) -> None:
     assert done.returncode == 0, done.stderr
     stored = json.loads((tiny.root / "cases" / "baselines" / "fall.json").read_text())
     up = stored["results"]["up fake/good dt=0.1"]
-    assert 0.5 < up["y"]["rounding"] / (1e8 * (LAST_DIGIT - 1)) < 2.0
+    largest = max(abs(nudge.mass) for nudge in NUDGES)
+    assert 0.5 < up["y"]["rounding"] / (1e8 * largest) < 2.0
     assert "rounding" not in up["turns"]

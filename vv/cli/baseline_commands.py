@@ -17,7 +17,7 @@ from vv.output import terminal
 from vv.plan.project import Project, find
 
 if TYPE_CHECKING:
-    from vv.plan.plan import Plan
+    from vv.plan.plan import Job, Plan
     from vv.records.accepted import Acceptance, Place
     from vv.records.job_record import Record
     from vv.records.manifest import Manifest
@@ -54,13 +54,14 @@ def accept(
     result_lines.print_unacceptable(r for r in manifest.records if tried(r) and not acceptable(r))
     if not dry_run:
         nudged = _run_nudged(project, plan, manifest)
-        _write_baseline(project, case, manifest, nudged, reason.strip(), paper)
+        later = _later_results(project, case, plan)
+        _write_baseline(project, case, manifest, nudged, reason.strip(), later)
 
 
 def _run_nudged(project: Project, plan: Plan, manifest: Manifest) -> list[Record]:
-    """Run what ran again, with all masses changed in the last digit."""
+    """Run what ran again, once for each nudge of the last digits of its scene."""
     from vv.output.progress import progress
-    from vv.plan.nudged import with_masses_nudged
+    from vv.plan.nudged import NUDGES, nudged_plan
     from vv.plan.plan import with_jobs_kept
     from vv.records.reading import ran
     from vv.run.limits import Limits
@@ -68,9 +69,11 @@ def _run_nudged(project: Project, plan: Plan, manifest: Manifest) -> list[Record
 
     finished = {(record.variant, record.label) for record in filter(ran, manifest.records)}
     due = with_jobs_kept(plan, lambda job: (job.variant, f"{job.code}/{job.scheme}") in finished)
-    with progress() as shown:
-        limits = Limits(options.workers(0), options.TIMEOUT)
-        return records_alone(project, with_masses_nudged(due), limits, shown)
+    limits, found = Limits(options.workers(0), options.TIMEOUT), []
+    for nudge in NUDGES:
+        with progress() as shown:
+            found += records_alone(project, nudged_plan(due, nudge), limits, shown)
+    return found
 
 
 def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
@@ -91,14 +94,13 @@ def _write_baseline(
     manifest: Manifest,
     nudged: list[Record],
     reason: str,
-    paper: bool,
+    later: frozenset[str],
 ) -> None:
     """Write the case's new baseline and the answers of its schemes, and print where they are."""
     from vv.gate import acceptance, answers
     from vv.gate.all_checks import baseline_of, baselines_of
     from vv.records.sorted_text import render
 
-    later = frozenset() if paper else _later(project, case)
     new = acceptance.accepted(
         case,
         baseline_of(project, case),
@@ -202,6 +204,21 @@ def _later(project: Project, case: str) -> frozenset[str]:
     """The variants of a case that begin at level paper."""
     variants = project.load_case(case).variants
     return frozenset(one.name for one in variants if not one.runs_at(Level.DEFAULT))
+
+
+def _later_results(project: Project, case: str, plan: Plan) -> frozenset[str]:
+    """The names of the results of a case that level paper has and a plan does not."""
+    from vv.plan.plan import Options
+
+    whole = options.plan_of(project, [case], Options(Level.PAPER))
+    return frozenset(map(_name_of_result, whole.jobs)) - frozenset(map(_name_of_result, plan.jobs))
+
+
+def _name_of_result(job: Job) -> str:
+    """The name of a job's result in a baseline."""
+    from vv.records.reading import in_words
+
+    return f"{job.variant} {job.code}/{job.scheme} {in_words(job.ask.knobs)}".rstrip()
 
 
 def _require_own_cases(project: Project) -> None:

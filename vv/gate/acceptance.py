@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from vv.ask import Status
 from vv.gate.bands import EVERY_STEP, Band, band_of, rounding_of
@@ -34,11 +34,11 @@ def accepted(
 ) -> Baseline:
     """The baseline with these records added, and with their acceptance.
 
-    Results of codes that are not installed here are kept, and so are those of `later` variants,
-    which only a higher level runs. Results of schemes that now refuse, or no longer exist, are
-    removed. A result that did not leave its band is not replaced, so that small changes cannot
-    accumulate unnoticed. nudged: records of the same jobs with all masses changed in the last
-    digit, from which follows how far rounding may move a result.
+    Results of codes that are not installed here are kept, and so are those named in `later`, which
+    only a higher level runs. Results of schemes that now refuse, or no longer exist, are removed. A
+    result that did not leave its band is not replaced, so that small changes cannot accumulate
+    unnoticed. nudged: records of the same jobs with the last digits of the scene changed, from
+    which follows how far rounding may move a result.
     """
     given = [r for r in records if r.case == case]
     old = baseline or Baseline(case)
@@ -47,12 +47,14 @@ def accepted(
     results = {
         name: result
         for name, result in old.results.items()
-        if name.split(" ")[0] in later or name.split(" ")[1] in absent
+        if name in later or name.split(" ")[1] in absent
     }
-    again = {name_of(r): result_of(r, number) for r in nudged if r.case == case}
+    again: dict[str, list[AcceptedResult]] = {}
+    for record in (r for r in nudged if r.case == case):
+        again.setdefault(name_of(record), []).append(result_of(record, number))
     for record in filter(acceptable, given):
         name, now = name_of(record), result_of(record, number)
-        now = _with_rounding(now, again.get(name), band_of(record.code, external))
+        now = _with_rounding(now, again.get(name, []), band_of(record.code, external))
         results[name] = _accepted_result(old.results.get(name), now, record, external)
     used = {result.by for result in results.values()}
     given_by = {**old.acceptances, number: acceptance}
@@ -78,12 +80,14 @@ def _accepted_result(
     return kept if same else dataclasses.replace(now, cost=cost)
 
 
-def _with_rounding(now: AcceptedResult, again: AcceptedResult | None, band: Band) -> AcceptedResult:
-    """A result with the movements by rounding that may widen a band; without a second run none."""
-    if again is None:
-        return now
-    beside = again.quantities
-    moved = {name: rounding_of(one, beside.get(name)) for name, one in now.quantities.items()}
+def _with_rounding(
+    now: AcceptedResult, again: Sequence[AcceptedResult], band: Band
+) -> AcceptedResult:
+    """A result with the largest movements by rounding, where they may widen a band."""
+    moved = {
+        name: max((rounding_of(one, other.quantities.get(name)) for other in again), default=0.0)
+        for name, one in now.quantities.items()
+    }
     return _rounded(now, {n: r for n, r in moved.items() if EVERY_STEP * r > band.width})
 
 

@@ -2,9 +2,9 @@
 
 If an answer is wrong by more than its scale, or is larger than the scale and has no error that
 would show it, its rounding is larger by the same factor, and so is its band. Where rounding grows
-in time, as in impacts of many blocks, a second run shows by how much: one in which all masses
-differ in the last digit. Its distance from the accepted run is stored with the result, and the band
-is a multiple of it.
+in time, as in impacts of many blocks, further runs show by how much: their masses, gravity and
+positions differ in the last digits (`vv.plan.nudged`). Their largest distance from the accepted run
+is stored with the result, and the band is a multiple of it.
 """
 
 from __future__ import annotations
@@ -44,13 +44,13 @@ def widened(band: Band, then: AcceptedQuantity, beyond: float) -> Band:
     rounding = then.rounding or 0.0
     if EVERY_STEP * rounding <= width:
         return Band(width, band.reason)
-    nudge = f"a change of all masses in the last digit moved it by {rounding:.2g}"
+    nudge = f"a change of the scene in the last digits moved it by {rounding:.2g}"
     reason = f"{nudge}, and another platform rounds otherwise in every step"
     return Band(EVERY_STEP * rounding, reason)
 
 
 def rounding_of(then: AcceptedQuantity, again: AcceptedQuantity | None) -> float:
-    """By how much a quantity differs in a second run, as bands count it; LARGE if it lacks it."""
+    """By how much a quantity differs in another run, as bands count it; LARGE if it lacks it."""
     if again is None or (then.error is None) != (again.error is None):
         return LARGE
     moved = max(shift_of(then, again), abs((then.error or 0.0) - (again.error or 0.0)))

@@ -1,31 +1,49 @@
-"""The same jobs with all masses changed in the last digit: how far does rounding move an answer?"""
+"""The same jobs with last digits of their scenes changed: how far does rounding move answers?"""
 
 from __future__ import annotations
 
 import dataclasses
+from dataclasses import dataclass
 
 from vv.plan.plan import Plan
 from vv.scene import Scene, Wall
 
-LAST_DIGIT = 1 + 2.0**-51  # times a mass: one or two of the smallest steps between numbers
+LAST = 2.0**-51  # of a number: one or two of the smallest steps to its neighbours
 
 
-def with_masses_nudged(plan: Plan) -> Plan:
-    """The plan with all masses and moments of inertia times LAST_DIGIT, and otherwise the same."""
+@dataclass(frozen=True)
+class Nudge:
+    """Relative changes of all masses and moments of inertia, of gravity, and of all positions."""
+
+    mass: float
+    gravity: float
+    position: float
+
+
+NUDGES = (Nudge(8 * LAST, 8 * LAST, 0.0), Nudge(LAST, -LAST, 2 * LAST))
+
+
+def nudged_plan(plan: Plan, nudge: Nudge) -> Plan:
+    """The plan with the scene of each job changed by a nudge, and otherwise the same."""
     scenes = {id(job.ask.scene): job.ask.scene for job in plan.jobs}
-    heavier = {name: _with_heavier_bodies(scene) for name, scene in scenes.items()}
+    moved = {name: nudged_scene(scene, nudge) for name, scene in scenes.items()}
     asks = {
-        id(job.ask): dataclasses.replace(job.ask, scene=heavier[id(job.ask.scene)])
+        id(job.ask): dataclasses.replace(job.ask, scene=moved[id(job.ask.scene)])
         for job in plan.jobs
     }
     jobs = tuple(dataclasses.replace(job, ask=asks[id(job.ask)]) for job in plan.jobs)
     return dataclasses.replace(plan, jobs=jobs)
 
 
-def _with_heavier_bodies(scene: Scene) -> Scene:
-    heavier = []
+def nudged_scene(scene: Scene, nudge: Nudge) -> Scene:
+    """The scene with masses, gravity and positions changed by a nudge."""
+    changed = []
     for group in scene.bodies:
-        names = () if isinstance(group, Wall) else ("mass", "inertia")
-        changes = {name: LAST_DIGIT * getattr(group, name) for name in names}
-        heavier.append(dataclasses.replace(group, **changes))
-    return dataclasses.replace(scene, bodies=tuple(heavier))
+        place = {"Wall": "point", "Block": "vertices"}.get(type(group).__name__, "position")
+        factors = {place: 1 + nudge.position}
+        if not isinstance(group, Wall):
+            factors |= dict.fromkeys(("mass", "inertia"), 1 + nudge.mass)
+        new = {name: factor * getattr(group, name) for name, factor in factors.items()}
+        changed.append(dataclasses.replace(group, **new))
+    gravity = (1 + nudge.gravity) * scene.gravity
+    return dataclasses.replace(scene, bodies=tuple(changed), gravity=gravity)

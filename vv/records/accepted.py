@@ -36,8 +36,8 @@ class Acceptance:
 class AcceptedQuantity:
     """The accepted data of a quantity: its error, its scale, and a few figures of its value.
 
-    rounding: by how much a figure over the scale, or the error, moved when all masses were changed
-    in the last digit; None if that is too little to matter.
+    rounding: by how much a figure over the scale, or the error, moved at most when the last digits
+    of the scene were changed; None if that is too little to matter.
     """
 
     error: float | None

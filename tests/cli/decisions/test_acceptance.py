@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from tests.support.fabricated import manifest, record, some
+from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.case import Level, Variant
 from vv.cli import baseline_commands
@@ -55,6 +56,18 @@ def test_variants_that_begin_at_level_paper_are_accepted_when_that_is_asked(
     assert baseline_commands._later(project, "fall") == {"b"}
 
 
+def test_what_only_level_paper_runs_keeps_its_results(monkeypatch: pytest.MonkeyPatch) -> None:
+    def job(variant: str, dt: float | None) -> Any:
+        ask = some(knobs=Knobs(dt=dt))
+        return some(variant=variant, code="dem", scheme="default", ask=ask)
+
+    whole = some(jobs=[job("a", 0.1), job("a", 0.05), job("b", None)])
+    monkeypatch.setattr("vv.cli.options.plan_of", lambda *_: whole)
+    done: Any = some(jobs=[job("a", 0.1)])
+    names = baseline_commands._later_results(some(), "fall", done)
+    assert names == {"a dem/default dt=0.05", "b dem/default"}
+
+
 def test_cases_that_came_with_vv_are_not_changed() -> None:
     with pytest.raises(UsageError, match="cannot change the cases that came with vv"):
         baseline_commands._require_own_cases(some(bundled=True))
@@ -89,6 +102,8 @@ def test_a_baseline_is_written_for_a_reason_and_never_by_a_dry_run(
         ("vv.cli.baseline_commands.find", lambda: some(bundled=False)),
         ("vv.cli.baseline_commands._levels_of", lambda *_: "plan"),
         ("vv.cli.baseline_commands._run", lambda project, plan, timing: whole),
+        ("vv.cli.baseline_commands._run_nudged", lambda *_: []),
+        ("vv.cli.baseline_commands._later_results", lambda *_: frozenset()),
         ("vv.cli.baseline_commands._write_baseline", lambda *words: wrote.append(words[-2])),
         ("vv.gate.acceptance.acceptable", lambda one: one is not bad),
         ("vv.output.result_lines.print_difference", lambda *_: None),
