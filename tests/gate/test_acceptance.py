@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.acceptances import ACCEPTANCE, accepted, ran
+from tests.support.acceptances import accepted, ran
 from tests.support.fabricated import changed, entry
 from vv.base.errors import UsageError
 from vv.gate import acceptance, baseline
@@ -43,15 +43,6 @@ def test_a_baseline_reads_back_and_one_of_another_case_is_refused(tmp_path: Path
     assert baseline.read(tmp_path, "bounce") == kept
     with pytest.raises(UsageError, match="not a baseline of fall"):
         baseline.read(tmp_path, "fall")
-
-
-def test_results_that_only_a_higher_level_runs_are_kept_and_others_that_did_not_run_are_not() -> (
-    None
-):
-    old = accepted(ran(), ran(variant="T2"), ran(variant="T3"))
-    named = frozenset({"T2 dem/default dt=0.001"})
-    new = acceptance.accepted("bounce", old, [ran(2e-4)], ACCEPTANCE, (), named)
-    assert set(new.results) == {"T1 dem/default dt=0.001", *named}
 
 
 def test_a_baseline_has_the_parameters_of_the_case_and_both_ends_of_a_cost() -> None:

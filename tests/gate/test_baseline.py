@@ -106,9 +106,9 @@ def test_what_is_not_installed_keeps_its_results_and_what_refuses_loses_them() -
     assert refused.acceptances == {}
 
 
-def test_variants_that_only_a_higher_level_runs_keep_their_results() -> None:
-    kept = accepted(ran(), ran(variant="T0"))
-    without = acceptance.accepted("bounce", kept, [ran()], ACCEPTANCE, (), {"T0"})
+def test_what_only_a_higher_level_runs_keeps_its_results() -> None:
+    kept, name = accepted(ran(), ran(variant="T0")), "T0 dem/default dt=0.001"
+    without = acceptance.accepted("bounce", kept, [ran()], ACCEPTANCE, (), {name})
     assert without.results == kept.results
     assert without.parameters.keys() == {"T0", "T1"}
     gone = acceptance.accepted("bounce", kept, [ran()], ACCEPTANCE, ())
