@@ -101,6 +101,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
         paths = [functools.partial(_pair_path, p, what.body) for what in seen]
         motions = [_motion(w, scene, 2, path) for w, path in zip(seen, paths, strict=True)]
         quantities = _pair_quantities(motions, step, p)
+    if not GOAL.duration / step <= MOST:
+        raise ValueError(
+            f"kn = {p['kn']!r} N/m; steps that resolve a contact are {GOAL.duration / step:.3g}; "
+            f"at most {MOST:g} are run"
+        )
     return Trial(Ladder(scene, GOAL, seen, _levels(step)), quantities)
 
 
@@ -298,6 +303,7 @@ NOWHERE: Judge = Exact(dict.fromkeys(
               "remain"),
 ))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
+MOST = 1e7  # steps at the coarsest setting, some seconds of calculation
 STIFFEST = 1.5  # shear stiffness over the normal one, up to which contacts decide the step
 JUDGED = 0.05  # the largest error that is judged
 
