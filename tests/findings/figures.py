@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,12 +13,15 @@ from bench.bounds.sensitivity import answer
 from vv.ask import Ask, Knobs, Ledger, Run, Status
 from vv.case import Level, Norm, Trial
 from vv.codes import Scheme
+from vv.plan.nudged import LAST, Nudge, nudged_scene
 from vv.plan.project import find
 from vv.records.outcomes import Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.record import measured
 
 PROJECT = find(Path(__file__))
+NUDGED = ((8, 8, 0), (1, -1, 0), (-3, 2, 0), (1, -1, 2), (5, -7, 1), (0, 0, 1))
+LACKS = -math.inf
 
 
 @dataclass(frozen=True)
@@ -128,6 +133,43 @@ def unaccounted(answer: Answer) -> float:
 def added_by_friction(answer: Answer) -> float:
     """Energy [J] that friction adds, which it should dissipate."""
     return -answer.ledger.terms["friction dissipation"]
+
+
+def most(code: str, figure: Figure) -> Figure:
+    """The largest figure over the scene and what its last digits make of it, of runs that have it.
+
+    For what rounding decides: another machine gives another one of these answers.
+    """
+
+    def largest(answer: Answer) -> float:
+        return max(
+            found for one in _nudged(code, answer) if (found := _if_any(figure, one)) > LACKS
+        )
+
+    return largest
+
+
+def _nudged(code: str, own: Answer) -> Iterator[Answer]:
+    """An answer, and those to the same scene with other last digits."""
+    yield own
+    for mass, gravity, position in NUDGED:
+        nudge = Nudge(mass * LAST, gravity * LAST, position * LAST)
+        ask = dataclasses.replace(own.ask, scene=nudged_scene(own.ask.scene, nudge))
+        run = answer(PROJECT.load_adapter(code), own.scheme, ask)
+        yield dataclasses.replace(own, ask=ask, run=run)
+
+
+def _if_any(figure: Figure, of: Answer) -> float:
+    """The figure; LACKS of a run that did not reach its end and so does not have it."""
+    try:
+        return figure(of)
+    except AssertionError:
+        return LACKS
+
+
+def peak(answer: Answer) -> float:
+    """The largest energy [J] of the run."""
+    return answer.ledger.peak
 
 
 def of_peak(figure: Figure) -> Figure:

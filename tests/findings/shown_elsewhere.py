@@ -227,10 +227,10 @@ TESTED: Mapping[str, tuple[str, ...]] = {
         f"{RIGID}/test_landing.py::test_a_thrown_block_flies_and_comes_down_as_it_should_at_any_step",
     ),
     "the iteration can drift away from some of them": (
-        f"{RIGID}/test_walls.py::test_sweeps_that_drift_leap_to_where_they_lead",
+        f"{RIGID}/test_walls.py::test_where_impulses_drift_leaps_or_a_fresh_start_without_them_solve_the_step",
     ),
     "`rigid` extrapolates along such a drift": (
-        f"{RIGID}/test_walls.py::test_a_step_that_leaps_do_not_solve_is_begun_again_without",
+        f"{RIGID}/test_walls.py::test_where_impulses_drift_leaps_or_a_fresh_start_without_them_solve_the_step",
         f"{RIGID}/test_begun_anew.py::test_sweeps_that_are_stuck_far_off_begin_anew_once",
     ),
     "`dda` starts contacts with the forces of a block at rest": (

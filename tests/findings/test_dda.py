@@ -86,8 +86,9 @@ FOUND: Table = {
         Row("masonry:rest", DEFAULT, None, "borne", 4.5e-4, 5.5e-4),
         Row("masonry:rest", DEFAULT, None, late, 3.5e-6, 4.9e-6),
     ],
-    "in `dda/default` friction takes 45 J, and less than 1e-8 J remain": [
-        Row("masonry:borne mu=0.9 D=0.03 f=3", DEFAULT, LAID, added_by_friction, -45.5, -44.5),
+    "in `dda/default` friction takes some 50 J, and less than 1e-8 J remain. Last digits of the "
+    "scene decide these amounts": [
+        Row("masonry:borne mu=0.9 D=0.03 f=3", DEFAULT, LAID, added_by_friction, -80.0, -30.0),
         Row("masonry:borne mu=0.9 D=0.03 f=3", DEFAULT, LAID, unaccounted, 0.0, 1e-8),
     ],
     "at 2.5e-5 s on 1e10 N/m blocks are off by 14 % of their displacement at most, and by 18 % on "
@@ -95,13 +96,13 @@ FOUND: Table = {
         Row("failure-modes:3d-50", DEFAULT, Knobs(2.5e-5, 1e10), "worst", 0.135, 0.145),
         Row("failure-modes:2d-60", DEFAULT, Knobs(2.5e-5, 1e11), "worst", 0.175, 0.185),
     ],
-    "The momentum that the base transfers is right to 1e-15": [
-        Row("masonry:rest", DEFAULT, None, "given upwards", 0.0, 2e-15),
+    "The momentum that the base transfers is right to 1e-14": [
+        Row("masonry:rest", DEFAULT, None, "given upwards", 0.0, 1e-14),
     ],
-    "twice as fast on 1e9 N/m, 1.2 times on 1e10 and 1.04 times on 1e11": [
-        Row("standing:arch-thin", DEFAULT, Knobs(2.5e-3, 1e9), "sunk", 0.9, 1.1),
-        Row("standing:arch-thin", DEFAULT, Knobs(1.25e-3, 1e10), "sunk", 0.17, 0.2),
-        Row("standing:arch-thin", DEFAULT, Knobs(1.25e-3, 1e11), "sunk", 0.04, 0.05),
+    "1.7 to 2 times as fast on 1e9 N/m, 1.2 to 1.3 times on 1e10 and 1.04 to 1.08 times on 1e11": [
+        Row("standing:arch-thin", DEFAULT, Knobs(2.5e-3, 1e9), "sunk", 0.65, 1.1),
+        Row("standing:arch-thin", DEFAULT, Knobs(1.25e-3, 1e10), "sunk", 0.17, 0.35),
+        Row("standing:arch-thin", DEFAULT, Knobs(1.25e-3, 1e11), "sunk", 0.04, 0.09),
     ],
     "`dda/default` and `dda/generalised-alpha` release it before t = 0, and are right to 1e-9 down "
     "to 0.01 rad": [

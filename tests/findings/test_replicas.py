@@ -5,13 +5,23 @@ Keys, rows and bands are as in tests/findings/test_dda.py.
 
 import pytest
 
-from tests.findings.figures import Answer, added_by_friction, ends, of_peak, unaccounted
+from tests.findings.figures import (
+    Answer,
+    added_by_friction,
+    ends,
+    error,
+    most,
+    of_peak,
+    peak,
+    unaccounted,
+)
 from tests.findings.table import Row, Table, rows
 from vv.ask import Knobs, Status
 
 DEFAULT, LAGGED, PUBLISHED = "dda/default", "dda/lagged", "dda/published"
 ROCKS = "rocking:released b=0.09 h=0.31 part=0.5 duration=0.9"
 SHAKEN = "masonry:borne mu=0.9 D=0.03 f=3"
+FINE, THIN = Knobs(5e-4, 1e10), Knobs(2.5e-3, 1e9)
 LAID, SOFT, STIFF = Knobs(1e-3, 1e9), Knobs(1e-3, 1e8), Knobs(1e-3, 1e10)
 
 
@@ -63,32 +73,26 @@ FOUND: Table = {
         Row("laden-block:turning", LAGGED, Knobs(2.5e-4, 1e9), "slip", 0.0275, 0.0285),
         Row("laden-block:turning", LAGGED, Knobs(2.5e-4, 1e9), "slipping", 0.0225, 0.0235),
     ],
-    "In `dda/lagged` it falls three times as fast": [
-        Row("standing:arch-thin", LAGGED, Knobs(2.5e-3, 1e9), "sunk", 1.9, 2.2),
+    "In `dda/lagged` it falls three times as fast or more": [
+        Row("standing:arch-thin", LAGGED, THIN, most("dda", error("sunk")), 1.9, 99),
     ],
     "1.4 % of the displacement at 0.1 rad on 1e9 N/m; the effect falls with the root of the "
     "stiffness": [
         Row("wedge:xi-0.1", LAGGED, LAID, "s", 0.0135, 0.0145),
         Row("wedge:xi-0.1", LAGGED, Knobs(1e-4, 1e11), "s", 1.3e-3, 1.5e-3),
     ],
-    "A block of 0.18 x 0.62 m released at half its angle of overturning diverges at 1e-3 s and "
-    "1e10 N/m with mu of 0.3, 0.6 and 1.3": [
-        Row(f"{ROCKS} mu={mu}", LAGGED, STIFF, ends(Status.DIVERGED), 1, 1)
+    "`dda/lagged` can create energy where a rocking block lands, whether friction is low or high. "
+    "A block of 0.18 x 0.62 m is released at half its angle of overturning on springs of 1e10 N/m, "
+    "with mu from 0.3 to 1.3: at 1e-3 s it diverges for some last digits of the scene": [
+        Row(f"{ROCKS} mu={mu}", LAGGED, STIFF, most("dda", ends(Status.DIVERGED)), 1, 1)
+        for mu in (0.3, 0.35, 0.6, 1.3)
+    ],
+    "at 5e-4 s friction adds a tenth to half of its energy for some": [
+        Row(f"{ROCKS} mu={mu}", LAGGED, FINE, most("dda", of_peak(added_by_friction)), 0.1, 0.5)
         for mu in (0.3, 0.6, 1.3)
     ],
-    "`dda/lagged` can create energy where a rocking block lands, whether friction is low or high": [
-        Row(f"{ROCKS} mu=0.3", LAGGED, Knobs(5e-4, 1e10), added_by_friction, 1.0, 2.0),
-        Row(f"{ROCKS} mu=1.3", LAGGED, Knobs(5e-4, 1e10), added_by_friction, 2.5, 3.5),
-    ],
-    "at mu = 0.35 it diverges too, but friction takes a quarter of its energy at 5e-4 s": [
-        Row(f"{ROCKS} mu=0.35", LAGGED, STIFF, ends(Status.DIVERGED), 1, 1),
-        Row(
-            f"{ROCKS} mu=0.35", LAGGED, Knobs(5e-4, 1e10), of_peak(added_by_friction), -0.26, -0.24
-        ),
-    ],
-    "at 5e-4 s friction adds 0.1 to 0.2 of its energy": [
-        Row(f"{ROCKS} mu={mu}", LAGGED, Knobs(5e-4, 1e10), of_peak(added_by_friction), 0.1, 0.22)
-        for mu in (0.3, 0.6, 1.3)
+    "at mu = 0.35 friction takes energy, as it should": [
+        Row(f"{ROCKS} mu=0.35", LAGGED, FINE, most("dda", of_peak(added_by_friction)), -0.3, 0.0),
     ],
     "`dda/default`, which differs here only in that friction is iterated too, does neither": [
         Row(ROCKS, DEFAULT, STIFF, "x", 0.0, 0.03),
@@ -128,18 +132,19 @@ FOUND: Table = {
             1,
         ),
     ],
-    "where stones separate, 0.03 J of 11 J at 1e-3 s and 0.08 J at 5e-4 s": [
-        Row("masonry:shaken", LAGGED, LAID, unaccounted, 0.025, 0.03),
-        Row("masonry:shaken", LAGGED, LAID, of_peak(unaccounted), 0.025 / 11.5, 0.03 / 11.0),
-        Row("masonry:shaken", LAGGED, Knobs(5e-4, 1e9), unaccounted, 0.075, 0.08),
+    "where stones separate, up to some tenths of a joule of 8 to 11 J": [
+        Row("masonry:shaken", LAGGED, LAID, unaccounted, 0.01, 0.5),
+        Row("masonry:shaken", LAGGED, LAID, peak, 7.5, 11.5),
+        Row("masonry:shaken", LAGGED, Knobs(5e-4, 1e9), unaccounted, 0.01, 0.5),
     ],
-    "Shaken at 1.09 g with friction of 0.9, friction adds 255 J at 1e-3 s, and at 5e-4 s 1.3 J "
-    "remain unexplained": [
-        Row(SHAKEN, LAGGED, LAID, added_by_friction, 254, 256),
-        Row(SHAKEN, LAGGED, Knobs(5e-4, 1e9), unaccounted, 1.25, 1.35),
+    "Shaken at 1.09 g with friction of 0.9, friction adds tens to hundreds of joules at 1e-3 s": [
+        Row(SHAKEN, LAGGED, LAID, most("dda", added_by_friction), 10, 1000),
+    ],
+    "at 5e-4 s up to some joules remain unexplained": [
+        Row(SHAKEN, LAGGED, Knobs(5e-4, 1e9), most("dda", unaccounted), 0.1, 50.0),
     ],
     "and violates Coulomb's limit, or diverges": [
-        Row("standing:arch-thin", LAGGED, Knobs(2.5e-3, 1e9), added_by_friction, 0.012, 0.022),
+        Row("standing:arch-thin", LAGGED, THIN, most("dda", added_by_friction), 0.01, 99),
         Row("standing:arch-thin", LAGGED, Knobs(1.25e-3, 1e10), ends(Status.DIVERGED), 1, 1),
     ],
 }
