@@ -45,6 +45,8 @@ from tests.references.units import (
 )
 
 LOCATED = 2e-13  # scipy locates events to 4 rounding errors of a second, of the 0.01 s they take
+STEPS = 115  # of the spheres that part, 95 until slip ends and some 20 until they are apart
+STEPPED = STEPS * rebound.RELATIVE  # rounding may choose other steps, which err by this together
 BALL = {"m": (2.0, MASS), "kn": (3e4, SPRING)}
 FALLS = {**BALL, "eta": (90.0, DRAG), "g": (9.81, GRAVITY), "height": (0.02, LENGTH)}
 FLOOR = {
@@ -175,4 +177,4 @@ CLAIMS = {
 
 @pytest.mark.parametrize("name", CLAIMS)
 def test_in_other_units_it_is_the_same_to_rounding(name: str) -> None:
-    assert apart(CLAIMS[name]) <= LOCATED
+    assert apart(CLAIMS[name]) <= (STEPPED if name == "rebound" else LOCATED)
