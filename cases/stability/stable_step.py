@@ -127,7 +127,7 @@ def _block(p: Parameters) -> Trial:
 
 
 START, SPAN = 0.45, 5.0  # where a search begins, over the lowest known limit, and how far it goes
-LIGHT, HEAVY = 0.04, 1.0  # n/w at which the search tells stable steps from unstable ones
+LIGHT, HEAVY = 0.04, 1.5  # n/w at which the search tells stable steps from unstable ones
 PAST = 1.4  # a search goes at least this far beyond the highest limit of a class
 # steps of a run: with drag an unstable oscillation grows more slowly by that much
 SHORT, LONG = 200, 1000

@@ -75,7 +75,7 @@ def test_a_code_that_is_right_is_within_its_bounds(
     assert Verdict.FAIL not in verdicts.values(), verdicts
 
 
-@pytest.mark.parametrize("eta", [3e7, 3e8, 9e8, 3e9])
+@pytest.mark.parametrize("eta", [3e7, 3e8, 9e8])
 def test_a_search_reaches_beyond_both_limits_at_any_drag(eta: float) -> None:
     made = PROJECT.load_case("stable-step")
     p = {**made.defaults("viscous"), "eta": eta}
