@@ -9,7 +9,14 @@ import numpy as np
 import pytest
 
 from tests import ROOT
-from vv.base.closure import _names_in_tree, import_closure, imported_names, library_versions
+from vv.base.closure import (
+    _names_in_tree,
+    changed_files,
+    import_closure,
+    imported_names,
+    library_versions,
+    source_digest,
+)
 
 FOLDERS = ("vv", "adapters", "cases", "reference_solutions", "reports", "bench", "tests")
 SOURCES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
@@ -75,6 +82,59 @@ def test_a_package_brings_the_data_in_its_folder_but_no_source_that_nothing_impo
     (tmp_path / "mine.py").write_text("from cases import a\n")
     found = import_closure([tmp_path / "mine.py"], [tmp_path])
     assert {path.name for path in found} == {"mine.py", "__init__.py", "a.py", "table.csv"}
+
+
+@pytest.mark.parametrize("package", ["adapters", "cases", "reference_solutions", "reports"])
+def test_a_module_brings_the_init_of_every_package_around_it(tmp_path: Path, package: str) -> None:
+    """Importing a module executes them all, so that each may change what it gives."""
+    inner = tmp_path / package / "inner"
+    inner.mkdir(parents=True)
+    for file in (inner.parent / "__init__.py", inner / "__init__.py", inner / "a.py"):
+        file.touch()
+    (tmp_path / "mine.py").write_text(f"import {package}.inner.a\n")
+    found = import_closure([tmp_path / "mine.py"], [tmp_path])
+    here = [path.relative_to(tmp_path).as_posix() for path in found]
+    assert here == sorted(
+        [f"{package}/__init__.py", f"{package}/inner/__init__.py", f"{package}/inner/a.py",
+         "mine.py"]
+    )  # fmt: skip
+
+
+def test_a_module_in_two_roots_is_that_of_the_first(tmp_path: Path) -> None:
+    for root in ("mine", "came-with-it"):
+        (tmp_path / root / "cases").mkdir(parents=True)
+        (tmp_path / root / "cases" / "a.py").touch()
+    (tmp_path / "b.py").write_text("import cases.a\n")
+    found = import_closure([tmp_path / "b.py"], [tmp_path / "mine", tmp_path / "came-with-it"])
+    assert tmp_path / "mine" / "cases" / "a.py" in found
+    assert tmp_path / "came-with-it" / "cases" / "a.py" not in found
+
+
+def test_a_digest_depends_on_names_and_contents_but_not_on_folders(tmp_path: Path) -> None:
+    """Of two clones, folders that are sorted otherwise included."""
+
+    def made(folders: tuple[str, str], names: tuple[str, str], texts: tuple[str, str]) -> str:
+        root = tmp_path / "-".join((*folders, *names, *texts))
+        paths = [root / f / n for f, n in zip(folders, names, strict=True)]
+        for path, text in zip(paths, texts, strict=True):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return source_digest(paths)
+
+    known = made(("x", "y"), ("a", "b"), ("1", "2"))
+    assert made(("y", "x"), ("a", "b"), ("1", "2")) == known
+    assert made(("x", "y"), ("a", "c"), ("1", "2")) != known
+    assert made(("x", "y"), ("a", "b"), ("1", "3")) != known
+
+
+def test_a_file_that_was_removed_since_its_digest_was_taken_has_changed(tmp_path: Path) -> None:
+    kept, edited, removed = files = [tmp_path / name for name in ("kept", "edited", "removed")]
+    for path in files:
+        path.write_text("before")
+    source_digest(files)
+    edited.write_text("after")
+    removed.unlink()
+    assert {kept, edited, removed} & {*changed_files()} == {edited, removed}
 
 
 def test_libraries_are_those_that_sources_import_and_what_data_says_is_none(tmp_path: Path) -> None:

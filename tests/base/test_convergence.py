@@ -41,6 +41,7 @@ def test_the_grid_convergence_index_is_that_of_the_published_example() -> None:
         ((1.0, 1.1, 1.2), "do not converge"),
         ((1.0, 1.001, 2.0), "an order above 8"),
         ((0.0, 0.0, 0.3), "rounding"),
+        ((0.0, 1e-13, 1.0), "rounding"),  # of the largest value, though the finest is zero
     ],
 )
 def test_values_without_a_law_have_no_limit_and_say_why(
@@ -49,3 +50,19 @@ def test_values_without_a_law_have_no_limit_and_say_why(
     found = convergence((1.0, 2.0, 4.0), values)
     assert isinstance(found, NoLimit)
     assert said in found.reason
+
+
+@pytest.mark.parametrize("sizes", [(1.0, 4.0, 2.0), (2.0, 1.0, 4.0), (1.0, 1.0, 4.0)])
+def test_sizes_that_do_not_increase_are_named(sizes: tuple[float, float, float]) -> None:
+    found = convergence(sizes, (1.0, 1.1, 1.5))
+    assert isinstance(found, NoLimit)
+    assert "list them finest first" in found.reason
+
+
+@pytest.mark.parametrize(("ratio", "converges"), [(1.9, False), (2.1, True)])
+def test_values_converge_if_they_close_in_faster_than_the_logarithm_of_the_size(
+    ratio: float, converges: bool
+) -> None:
+    """Sizes 1, 2 and 8: of order zero, differences are as ln 4 to ln 2, so as two to one."""
+    found = convergence((1.0, 2.0, 8.0), (0.0, 1.0, 1.0 + ratio))
+    assert isinstance(found, Convergence) == converges

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, make_dataclass
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,10 @@ class Colour(enum.Enum):
 class Point:
     x: float
     y: float
+
+
+class Light(enum.Enum):
+    RED = 1
 
 
 @dataclass(frozen=True)
@@ -50,6 +54,28 @@ def test_equal_values_have_one_digest_in_whatever_order_they_were_put_in() -> No
     assert digest(Point(1.0, 2.0), np.arange(3)) == digest(Point(1.0, 2.0), np.arange(3))
     assert digest((1, 2)) == digest([1, 2])
     assert digest(np.float64(0.5)) != digest("0.5")
+
+
+def test_a_set_has_one_digest_whatever_order_its_members_are_visited_in() -> None:
+    """Small numbers are visited by their remainder of the size of the table: 8 before 1."""
+    one, other = frozenset([0, 8]), frozenset([8, 0])
+    assert [*one] != [*other], "they are visited in another order"
+    assert digest(one) == digest(other)
+
+
+def named(kind: str, field: str) -> object:
+    """An instance of a class of that name, whose field of that name is 1."""
+    return make_dataclass(kind, [(field, float)], frozen=True)(1.0)
+
+
+def test_the_names_of_fields_and_of_enumerations_count() -> None:
+    assert digest(named("Thing", "mass")) != digest(named("Thing", "radius"))
+    assert digest(Colour.RED) != digest(Light.RED)
+
+
+def test_neighbours_do_not_run_into_each_other() -> None:
+    """Each part is preceded by its length: the names Wall and way are not the name Wallway."""
+    assert digest(named("Wall", "way")) != digest(named("Wallw", "ay"))
 
 
 @pytest.mark.parametrize("value", [Point, object(), {1, 2}, print, b"bytes"])

@@ -13,11 +13,17 @@ KNOWN = ("folder", "Newmark-30", "drop")
         ("foldre", "; did you mean folder?"),
         ("newmark", "; did you mean Newmark-30?"),
         ("fold", "; did you mean folder?"),
+        ("FOLDER", "; did you mean folder?"),  # as few letters in common as case allows
         ("bounce", "; known: Newmark-30, drop, folder"),
     ],
 )
 def test_similar_names_are_offered_else_all(typed: str, hint: str) -> None:
     assert name_hint(typed, KNOWN) == hint
+
+
+def test_the_two_most_similar_names_are_offered() -> None:
+    known = ("wall-contact", "ball-contact", "drag")
+    assert name_hint("all-contact", known) == "; did you mean wall-contact or ball-contact?"
 
 
 def test_where_nothing_is_known_that_is_said() -> None:

@@ -16,7 +16,9 @@ def test_no_control_character_is_left(code: int) -> None:
     assert ET.fromstring(f"<a>{escape(printable(text))}</a>").text == printable(text)
 
 
-@pytest.mark.parametrize("hostile", ["\x7f", "\x9b", "\u202e", "\u2066", "\ud800", "\ufffe"])
+@pytest.mark.parametrize(
+    "hostile", ["\x7f", "\x9b", "\u202e", "\u2066", "\ud800", "\ufeff", "\ufffe"]
+)
 def test_what_reorders_or_cannot_be_written_is_shown(hostile: str) -> None:
     assert printable(hostile).isascii()
     assert printable(hostile).startswith("\\")

@@ -97,3 +97,28 @@ def test_a_process_is_ended_though_a_second_signal_comes_while_it_is_stopped(
     with pytest.raises(KeyboardInterrupt):
         processes.end_with_descendants(sleeper.pid)
     assert sleeper.wait(5) == -9
+
+
+def test_a_process_whose_home_is_a_folder_is_ended_though_it_works_elsewhere(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "home").mkdir()
+    home = {"HOME": str(tmp_path / "home")}
+    program = subprocess.Popen(["sleep", "65"], cwd=tmp_path, env=home)
+    within(lambda: sleeps(program.pid))
+    processes.end_those_in(tmp_path / "home")
+    assert program.wait(5) == -9
+
+
+def test_children_of_children_are_found_and_those_that_have_ended_are_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A made-up /proc, in which names of programs hold blanks and brackets."""
+    table = {2: ("(sh)", "S", 1), 3: ("(a) b 1)", "R", 2), 4: ("(sleep)", "S", 3),
+             5: ("(ended)", "Z", 2), 6: ("(other)", "S", 1)}  # fmt: skip
+    for pid, (name, state, parent) in table.items():
+        (tmp_path / str(pid)).mkdir()
+        (tmp_path / str(pid) / "stat").write_text(f"{pid} {name} {state} {parent} 0 0 0\n")
+    monkeypatch.setattr(processes, "PROC", tmp_path)
+    assert processes._descendants(2) == [3, 4]
+    assert processes._descendants(1) == [2, 6, 3, 4]
