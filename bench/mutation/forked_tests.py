@@ -53,19 +53,31 @@ def passes(project: Path, *tests: str, processes: bool | None = None) -> bool:
 
     processes: True for tests that start processes, False for the others, None for all.
     """
+    return _status(project, tests, processes) == 0
+
+
+def _status(project: Path, tests: Sequence[str], processes: bool | None) -> int:
+    """The status of the process that runs the tests; a signal ends it if they take too long."""
     child = os.fork()
     if child == 0:
         try:
             os._exit(_tested(project, tests, processes))
         finally:
             os._exit(2)
-    return Allowance(SPENT).waited(child) == 0
+    return Allowance(SPENT).waited(child)
 
 
 @functools.cache
 def green(project: Path, tests: str, processes: bool) -> bool:
-    """Whether tests pass in an unchanged copy."""
-    return passes(project, tests, processes=processes)
+    """Whether tests pass in an unchanged copy.
+
+    Raises TimeoutError if they take too long, as on a busy machine: then nobody knows.
+    """
+    status = _status(project, (tests,), processes)
+    if os.WIFSIGNALED(status):
+        told = f"{LIMIT} s, or {SPENT:g} s of CPU time"
+        raise TimeoutError(f"{tests} did not end within {told}, in an unchanged copy")
+    return status == 0
 
 
 def _tested(project: Path, tests: Sequence[str], processes: bool | None) -> int:

@@ -167,6 +167,18 @@ def test_tests_that_never_end_are_red(monkeypatch: pytest.MonkeyPatch, tmp_path:
     assert sum(os.times()[2:4]) - before < 6.0  # s of CPU time
 
 
+def test_tests_that_never_end_without_a_bug_are_neither_green_nor_red(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (tmp_path / "test_waits.py").write_text(
+        "import time\ndef test_waits(): time.sleep(60)\ndef test_is_red(): assert False\n"
+    )
+    assert not forked_tests.green(tmp_path, "test_waits.py::test_is_red", False)
+    monkeypatch.setattr(forked_tests, "LIMIT", 2)
+    with pytest.raises(TimeoutError, match="did not end within 2 s"):
+        forked_tests.green(tmp_path, "test_waits.py", False)
+
+
 def test_what_is_of_no_case_is_put_to_the_tests_of_papers() -> None:
     file = "cases/papers/_li_2018.py"
     (first, *_) = turnable(file)
