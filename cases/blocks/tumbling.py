@@ -104,7 +104,13 @@ def _turned(p: Parameters) -> float:
 
 
 def _check_flight(p: Parameters, body: tumbling.Body, met: tumbling.Landing) -> None:
-    """Raise ValueError where a corner meets the plane again before the end."""
+    """Raise ValueError where a corner nearly misses the plane, or meets it again before the end."""
+    if met.approach < p["V"]:
+        raise ValueError(
+            f"w = {p['w']!r}; a corner meets the plane at {met.approach:.3g} m/s, slower than the "
+            f"centre, {p['V']:g} m/s: it nearly misses the plane, so that any error of the "
+            "orientation moves the landing by much more"
+        )
     t = np.linspace(0.0, p["duration"] - met.t, 100)[1:]
     after = tumbling.Body(body.mass, body.inertia, body.corners, met.axes)
     centre = p["height"] + tumbling.height_gained(met.t + t, met, p["V"])

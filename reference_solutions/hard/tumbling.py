@@ -117,11 +117,12 @@ def _about(axis: Array, angle: float) -> Array:
 class Landing:
     """The impact of the first corner on the plane at t [s], and the state after it.
 
-    gain: change of velocity [m/s] along the normal; w: spin (3,) [1/s] in the body's axes; axes:
-    (3, 3), as those of `Body`.
+    approach: speed [m/s] of the corner towards the plane; gain: change of velocity [m/s] of the
+    centre along the normal; w: spin (3,) [1/s] in the body's axes; axes: (3, 3), as in `Body`.
     """
 
     t: float
+    approach: float
     gain: float
     w: Array
     axes: Array
@@ -157,8 +158,11 @@ def landing(body: Body, w: Array, n: Array, *, height: float, V: float, latest: 
     rotation = turned(np.array([t]), body, w)[0]
     normal, spin = n @ rotation, spins(np.array([t]), body.inertia, w)[0]
     lever = np.cross(corner, normal)
-    impulse = (V - lever @ spin) / (1.0 / body.mass + lever**2 @ (1.0 / body.inertia))
-    return Landing(t, impulse / body.mass, spin + impulse * lever / body.inertia, rotation.T)
+    approach = V - lever @ spin
+    impulse = approach / (1.0 / body.mass + lever**2 @ (1.0 / body.inertia))
+    return Landing(
+        t, approach, impulse / body.mass, spin + impulse * lever / body.inertia, rotation.T
+    )
 
 
 def height_gained(t: Array, met: Landing, V: float) -> Array:

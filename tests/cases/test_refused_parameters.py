@@ -74,6 +74,7 @@ def test_a_parameter_that_leaves_no_answer_is_refused(
             "mfix:dem03 H=7.47e-4",
             "H = 0.000747 m: a contact opens; the answer holds",
         ),
+        ("tumbling:corner w=1.22", "at 0.0939 m/s, slower than the centre, 0.2 m/s"),
         ("incline:gravity-5 phi=-5", "phi = -5.0 deg; a friction angle must be from 0"),
         ("incline:gravity-5 phi=95", "phi = 95.0 deg; a friction angle must be from 0"),
         ("single-contact:T2 eta=2e12", "eta = 2000000000000.0 N s/m; .* N s/m, critical damping"),

@@ -73,9 +73,11 @@ def lands(one: ModuleType) -> bool:
         body.mass, R @ np.diag(body.inertia) @ R.T, R @ corner, N, -V * N, R @ spins[-1]
     )
     gained = one.height_gained(np.array([met.t, met.t + 1.0]), met, V)
+    approach = V - np.cross(R @ spins[-1], R @ corner) @ N
     return bool(
         abs(gaps[-1].min()) < 1e-9
         and gaps[:-1].min() > 0.0
+        and abs(met.approach - approach) < 1e-8
         and np.abs(speed - (met.gain - V) * N).max() < 1e-9
         and np.abs(R.T @ spin - met.w).max() < 1e-8
         and np.abs(met.axes - R.T).max() < 1e-9
