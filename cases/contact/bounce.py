@@ -9,8 +9,17 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._papers import LI_2018
-from reference_solutions.contact import bounce, bouncing_pair
-from vv.ask import Displacement, History, Knobs, Method
+from cases.contact.parts._bouncing import (
+    GOAL,
+    coarsest_step,
+    floor_path,
+    mass_of,
+    on_floor,
+    pair_path,
+    pair_scene,
+    require_shallow,
+)
+from vv.ask import Displacement, Knobs, Method
 from vv.case import (
     Case,
     Exact,
@@ -26,79 +35,27 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated, rotation_about_z
+from vv.scene import Scene, Vector
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
 Why = tuple[str, str] | tuple[()]  # why the bounds of second and of first order
-
-ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
-GOAL = History(duration=0.036, interval=1e-4)
-X, Y, Z = np.eye(3)
-
-
-def _mass(p: Parameters, r: float) -> float:
-    return float(p["rho"] * 4 / 3 * np.pi * r**3)
-
-
-def _on_floor(p: Parameters, held: bool) -> Scene:
-    """A sphere thrown along x over a floor; held: locked along y, in which a load pushes it."""
-    r = p["r1"]
-    sphere = Spheres(
-        position=(r + p["gap"]) * Z[None],
-        velocity=(p["v_t"] * X - p["v_n"] * Z)[None],
-        radius=np.array([r]),
-        mass=np.array([_mass(p, r)]),
-        free=np.array([[True, not held, True]]),
-        spin=p["w1"] * Y[None],
-        free_spin=np.array([[not held, True, not held]]),
-        load=p["load"] * Y[None],
-    )
-    contact = Contact(p["kn"], p["ks"], p["mu"])
-    return Scene((Wall(np.zeros(3), Z), sphere), contact, gravity=-p["g"] * Z)
-
-
-def _pair_scene(p: Parameters) -> Scene:
-    """Two free spheres on a line oblique to the frame, which the load presses together."""
-    r = np.array([p["r1"], p["r2"]])
-    spheres = Spheres(
-        position=np.array([np.zeros(3), (r.sum() + p["gap"]) * X]),
-        velocity=np.array([np.zeros(3), p["v_t"] * Y - p["v_n"] * X]),
-        radius=r,
-        mass=np.array([_mass(p, one) for one in r]),
-        free=np.ones((2, 3), bool),
-        spin=np.array([p["w1"] * Z, p["w2"] * Z]),
-        free_spin=np.ones((2, 3), bool),
-        load=np.array([p["load"] * X, -p["load"] * X]),
-    )
-    scene = Scene((spheres,), Contact(p["kn"], p["ks"], p["mu"]))
-    return rotated(scene, rotation_about_z(ANGLE))
-
-
-def _floor_path(p: Parameters, t: Vector) -> Vector:
-    same = {name: p[name] for name in ("rho", "kn", "ks", "mu", "g", "gap", "v_n", "v_t")}
-    moved = bounce.floor(t, r=p["r1"], w=p["w1"], **same)
-    return np.stack([moved[:, 0], np.zeros(len(t)), moved[:, 1]], axis=1)
-
-
-def _pair_path(p: Parameters, body: int, t: Vector) -> Vector:
-    return bouncing_pair.pair(t, **{k: v for k, v in p.items() if k != "g"})[:, 2 * body :][:, :2]
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
     alone = variant in ("floor", "held")
     if variant == "floor" and p["load"]:
         raise ValueError(f"load = {p['load']!r} N; it must be 0, since nothing bears it here")
-    scene = _on_floor(p, variant == "held") if alone else _pair_scene(p)
-    _require_shallow(alone, p)
-    step = _step(FLOOR_STEP if alone else PAIR_STEP, CASE.defaults(variant), alone, p)
+    scene = on_floor(p, variant == "held") if alone else pair_scene(p)
+    require_shallow(alone, p)
+    step = coarsest_step(FLOOR_STEP if alone else PAIR_STEP, CASE.defaults(variant), alone, p)
     if alone:
         seen: tuple[Displacement, ...] = (Displacement(1),)
-        motion = _motion(seen[0], scene, 3, functools.partial(_floor_path, p))
+        motion = _motion(seen[0], scene, 3, functools.partial(floor_path, p))
         step /= _parts(_ends(motion, step, p), _late(motion, step, p))
         quantities = _sphere_quantities(motion, step, p, own=p == CASE.defaults(variant))
     else:
         seen = (Displacement(0), Displacement(1))
-        paths = [functools.partial(_pair_path, p, what.body) for what in seen]
+        paths = [functools.partial(pair_path, p, what.body) for what in seen]
         motions = [_motion(w, scene, 2, path) for w, path in zip(seen, paths, strict=True)]
         quantities = _pair_quantities(motions, step, p)
     if not GOAL.duration / step <= MOST:
@@ -107,39 +64,6 @@ def _declare(variant: str, p: Parameters) -> Trial:
             f"at most {MOST:g} are run"
         )
     return Trial(Ladder(scene, GOAL, seen, _levels(step)), quantities)
-
-
-def _require_shallow(alone: bool, p: Parameters) -> None:
-    """Raise ValueError where the first contact overlaps by more than a tenth of the radius."""
-    if alone:
-        light, pull, small = 1 / _mass(p, p["r1"]), p["g"], p["r1"]
-    else:
-        light = 1 / _mass(p, p["r1"]) + 1 / _mass(p, p["r2"])
-        pull, small = p["load"] * light, min(p["r1"], p["r2"])
-    swing = 1 / math.sqrt(p["kn"] * light)  # 1/k
-    closing = math.sqrt(max(p["v_n"] ** 2 + 2 * pull * p["gap"], 0.0))
-    depth = pull * swing**2 + math.hypot(pull * swing**2, closing * swing)
-    if not depth < small / 10:
-        raise ValueError(
-            f"kn = {p['kn']!r} N/m; the bodies overlap by {depth:.4g} m at most; it must be below "
-            f"a tenth of the radius, {small / 10:g} m"
-        )
-
-
-def _step(usual: float, own: Parameters, alone: bool, p: Parameters) -> float:
-    """The coarsest step [s]: `usual` at own parameters, as long a part of a contact elsewhere.
-
-    Shorter where shear springs swing faster than normal ones, and no longer than the interval of
-    outputs.
-    """
-
-    def lasts(q: Parameters) -> float:
-        light = 1 / _mass(q, q["r1"]) + (0.0 if alone else 1 / _mass(q, q["r2"]))
-        return 1 / math.sqrt(q["kn"] * light)
-
-    stiffest = max(1.0, p["ks"] / (STIFFEST * p["kn"]))
-    ratio = lasts(p) / lasts(own) / math.sqrt(stiffest)
-    return min(usual * ratio, GOAL.interval)
 
 
 def _parts(second: float, first: float) -> int:
@@ -156,12 +80,12 @@ def _sphere_quantities(
     motion: Motion, step: float, p: Parameters, own: bool
 ) -> tuple[Quantity, ...]:
     """own: whether the parameters are the case's, at which errors of contacts partly cancel."""
-    arm = 2 * _closing(p) * math.sqrt(_mass(p, p["r1"]) / p["kn"]) / p["r1"]
+    arm = 2 * _closing(p) * math.sqrt(mass_of(p, p["r1"]) / p["kn"]) / p["r1"]
     ends, late = _ends(motion, step, p), _late(motion, step, p)
     rises = (2e-4 if own else max(2e-4, ends)) + arm
     up = _judge(step, rises, rises + late, arm)
     rubs = min(2 * p["mu"], 1.0)  # twice mu where friction also rotates the sphere
-    jump, order = _released(p, _mass(p, p["r1"]), step * _left(p), ends * _way(motion))
+    jump, order = _released(p, mass_of(p, p["r1"]), step * _left(p), ends * _way(motion))
     rubbed = max(2e-4, rubs * ends) + jump / _way(motion) + arm
     along = _judge(step, rubbed, rubbed + rubs * late, arm, order=order)
     ways = (
@@ -183,14 +107,17 @@ def _ends(motion: Motion, step: float, p: Parameters) -> float:
     steps in which a contact begins and ends, x x* is between -(v dt)^2/4 and 0: a contact changes
     the speed by up to (k dt)^2/8 of it, for the time that is left.
     """
-    speed = _closing(p) * p["kn"] / _mass(p, p["r1"]) * step**2 / 8
+    speed = _closing(p) * p["kn"] / mass_of(p, p["r1"]) * step**2 / 8
     return speed * _left(p) / _way(motion)
 
 
 def _left(p: Parameters) -> float:
     """The time that is left after a contact with the floor closes, summed over all [s]."""
     closing = _closing(p)
-    first, lasts = 2 * p["gap"] / (closing + p["v_n"]), np.pi * np.sqrt(_mass(p, p["r1"]) / p["kn"])
+    first, lasts = (
+        2 * p["gap"] / (closing + p["v_n"]),
+        np.pi * np.sqrt(mass_of(p, p["r1"]) / p["kn"]),
+    )
     apart = max(lasts, 2 * closing / p["g"] if p["g"] > 0 else GOAL.duration)
     return float((GOAL.duration - np.arange(first, GOAL.duration, apart)).sum())
 
@@ -202,7 +129,7 @@ def _late(motion: Motion, step: float, p: Parameters) -> float:
     of at most sqrt(c^2 + g^2/k^2) and v + g T, and the speed c of impact changes by g dt/2 v/c, for
     the whole time T; so do the durations of all flights, which are as c: that is as much again.
     """
-    closing, pressed = _closing(p), p["g"] * math.sqrt(_mass(p, p["r1"]) / p["kn"])
+    closing, pressed = _closing(p), p["g"] * math.sqrt(mass_of(p, p["r1"]) / p["kn"])
     fastest = min(math.hypot(closing, pressed), p["v_n"] + p["g"] * GOAL.duration)
     faster = p["g"] * step / 2 * p["v_n"] / closing
     return (fastest * step / 2 + 2 * faster * GOAL.duration) / _way(motion)
@@ -227,7 +154,7 @@ def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple
         # rotates
         for i, (axis, how, part) in enumerate(PARTS):
             share = min(2 * p["mu"], 1.0) ** part / way
-            jump, order = _released(p, _mass(p, p[f"r{n}"]), step * GOAL.duration, second)
+            jump, order = _released(p, mass_of(p, p[f"r{n}"]), step * GOAL.duration, second)
             worst = second * share + part * jump / way + ROUNDED
             judge = _judge(step, worst, first * share + worst, why=OF_PAIR, order=order * part or 2)
             what = f"displacement of sphere {n} {how}"
@@ -237,7 +164,7 @@ def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple
 
 def _pair_errors(p: Parameters, n: int, step: float) -> tuple[float, float]:
     """Errors of the displacement [m] by ends of contacts within steps [s], and by a late load."""
-    light = 1 / _mass(p, p["r1"]), 1 / _mass(p, p["r2"])
+    light = 1 / mass_of(p, p["r1"]), 1 / mass_of(p, p["r2"])
     pull, share = p["load"] * sum(light), light[n - 1] / sum(light)
     closing = np.sqrt(p["v_n"] ** 2 + 2 * pull * p["gap"])
     swing = p["kn"] * sum(light) * step**2
@@ -304,7 +231,6 @@ NOWHERE: Judge = Exact(dict.fromkeys(
 ))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
 MOST = 1e7  # steps at the coarsest setting, some seconds of calculation
-STIFFEST = 1.5  # shear stiffness over the normal one, up to which contacts decide the step
 JUDGED = 0.05  # the largest error that is judged
 
 LAW = (
