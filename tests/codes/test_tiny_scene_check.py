@@ -11,7 +11,7 @@ import pytest
 from vv.ask import Ask, Displacement, Method, Observable, Run, Status, Velocity
 from vv.codes import Scheme
 from vv.codes.tiny_scene_check import Answered, CheckResult, judged
-from vv.codes.tiny_scenes import TinyScene, friction, tiny_scenes, unasked
+from vv.codes.tiny_scenes import STEPS, TinyScene, friction, tiny_scenes, unasked
 from vv.codes.tiny_scenes.tiny_scene import MASS
 from vv.plan.project import find
 from vv.scene import Term, Vector
@@ -131,6 +131,49 @@ def test_an_order_that_falls_short_of_the_claim_is_named() -> None:
     modest = dataclasses.replace(ALL, method=Method.FIRST_ORDER)
     assert "right" in shaken(SCENES["drag"], off_by(1, 0.1), modest).words
     assert "order in dt 2.0" in shaken(SCENES["drag"], off_by(2, 0.1)).words
+
+
+def only_at(ask_is: Callable[[int], bool], wrong: Wrong) -> Wrong:
+    """Right but where the number of steps of a run is such."""
+
+    def answer(ask: Ask, tiny: TinyScene) -> tuple[Vector, Vector]:
+        return (wrong if ask_is(round(tiny.duration / ask.dt)) else right)(ask, tiny)
+
+    return answer
+
+
+def test_the_finest_step_decides_and_coarser_ones_may_be_as_wrong_as_their_order() -> None:
+    drag = SCENES["drag"]
+    per_step = 0.1 / drag.asks(ALL)[0].dt ** 2
+    found = shaken(drag, off_by(2, per_step))
+    assert found.answered is Answered.RIGHT
+    assert "order in dt 2.0" in found.words
+
+
+def test_the_finest_run_shows_what_a_mistake_looks_like() -> None:
+    late_only_if_coarse = only_at(lambda n: n < STEPS[-1], late)
+    found = shaken(SCENES["drag"], late_only_if_coarse)
+    assert "looks as if" not in found.words
+    only_fine = only_at(lambda n: n == STEPS[-1], MISTAKES["all signs are reversed"])
+    assert "it looks as if all signs are reversed" in shaken(SCENES["drag"], only_fine).words
+
+
+@pytest.mark.parametrize("part", [0, 1], ids=["displacement", "velocity"])
+def test_what_is_not_a_number_is_wrong(part: int) -> None:
+    def missing(ask: Ask, tiny: TinyScene) -> tuple[Vector, Vector]:
+        both = [np.array(one) for one in right(ask, tiny)]
+        both[part][-1] = np.nan
+        return both[0], both[1]
+
+    found = shaken(SCENES["drag"], missing)
+    assert (found.answered, found.words) == (Answered.WRONG, "wrong by nan of the largest value")
+
+
+def test_a_scheme_is_held_to_the_order_that_it_claims_for_the_scene() -> None:
+    lowered = dataclasses.replace(ALL, lowered={Term.DRAG: Method.FIRST_ORDER})
+    drag = SCENES["drag"]
+    assert shaken(drag, off_by(1, 0.1), lowered).answered is Answered.RIGHT
+    assert shaken(SCENES["bounce"], off_by(1, 0.1), lowered).answered is Answered.WRONG
 
 
 def test_what_looks_like_nothing_known_is_only_called_wrong() -> None:

@@ -59,17 +59,21 @@ class TinyScene:
 
 
 def error(tiny: TinyScene, run: Run) -> float:
-    """The largest error of what a run reports, relative to the largest value of its kind."""
+    """The largest error of what a run reports, relative to the largest value of its kind.
+
+    NaN if anything that it reports is not a number.
+    """
     moved, speed = tiny.motion(run.times)
     exact: dict[Observable, Vector] = {
         Displacement(tiny.body): moved,
         Velocity(tiny.body): speed,
     }
-    return max(
-        float(np.abs(values - exact[what]).max() / np.abs(exact[what]).max())
+    errors = [
+        np.abs(values - exact[what]).max() / np.abs(exact[what]).max()
         for what, values in run.values.items()
         if what in exact
-    )
+    ]
+    return float(np.max(errors))
 
 
 def likeness(tiny: TinyScene, run: Run) -> str:
