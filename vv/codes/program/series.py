@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -34,9 +34,10 @@ def read_series(file: Path, ask: Ask) -> Mapping[str, Vector]:
         if names.count(wanted) != 1:
             many = f"{names.count(wanted)} columns" if wanted in names else "no column"
             raise BadAnswerError(f"{SERIES} has {many} {wanted!r}; its header is {short(header)}")
-    rows = _numbers([(n, line) for n, line in enumerate(rest, 2) if line.strip()], names)
+    lines = [(n, line) for n, line in enumerate(rest, 2) if line.strip()]
+    rows = _numbers(lines, names)
     series = {name: rows[:, number] for number, name in enumerate(names)}
-    _check_times(series["t"], ask)
+    _check_times(series["t"], [number for number, _ in lines], ask)
     return series
 
 
@@ -66,8 +67,11 @@ def _check_row(number: int, cells: list[str], names: list[str]) -> None:
             raise BadAnswerError(f"{SERIES}, line {number}, column {name}: {what}") from None
 
 
-def _check_times(times: Vector, ask: Ask) -> None:
-    """Raise BadAnswerError unless the rows are those of the output times, as exact as printed."""
+def _check_times(times: Vector, lines: Sequence[int], ask: Ask) -> None:
+    """Raise BadAnswerError unless the rows are those of the output times, as exact as printed.
+
+    lines: the numbers of the lines of the rows.
+    """
     asked = ask.goal.times(ask.knobs.dt)
     if len(times) != len(asked):
         raise BadAnswerError(
@@ -78,6 +82,6 @@ def _check_times(times: Vector, ask: Ask) -> None:
     if off.any():
         row = int(off.argmax())
         raise BadAnswerError(
-            f"{SERIES}, line {row + 2}: t = {float(times[row])!r} s; `times` in ask.json has "
+            f"{SERIES}, line {lines[row]}: t = {float(times[row])!r} s; `times` in ask.json has "
             f"{float(asked[row])!r} s there"
         )
