@@ -20,7 +20,12 @@ class Nudge:
     position: float
 
 
-NUDGES = (Nudge(8 * LAST, 8 * LAST, 0.0), Nudge(LAST, -LAST, 2 * LAST))
+NUDGES = (
+    Nudge(8 * LAST, 8 * LAST, 0.0),
+    Nudge(LAST, -LAST, 2 * LAST),
+    Nudge(-LAST, LAST, -3 * LAST),
+    Nudge(2 * LAST, LAST, LAST),
+)
 
 
 def nudged_plan(plan: Plan, nudge: Nudge) -> Plan:
