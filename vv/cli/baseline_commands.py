@@ -216,9 +216,10 @@ def _later_results(project: Project, case: str, plan: Plan) -> frozenset[str]:
 
 def _name_of_result(job: Job) -> str:
     """The name of a job's result in a baseline."""
+    from vv.gate.baseline import named
     from vv.records.reading import in_words
 
-    return f"{job.variant} {job.code}/{job.scheme} {in_words(job.ask.knobs)}".rstrip()
+    return named(job.variant, f"{job.code}/{job.scheme}", in_words(job.ask.knobs))
 
 
 def _require_own_cases(project: Project) -> None:

@@ -34,7 +34,12 @@ def read(folder: Path, case: str) -> Baseline | None:
 
 def name_of(record: Record) -> str:
     """The name of a record's result in a baseline."""
-    return f"{record.variant} {record.label} {rung(record)}".rstrip()
+    return named(record.variant, record.label, rung(record))
+
+
+def named(variant: str, label: str, setting: str) -> str:
+    """The name of a result in a baseline. label: CODE/SCHEME; setting: the knobs as text, or ''."""
+    return f"{variant} {label} {setting}".rstrip()
 
 
 def result_of(record: Record, by: str) -> AcceptedResult:

@@ -178,9 +178,9 @@ def _turned(
 
 def _turned_pass(record: Record, one: MeasuredQuantity, known: Disagreement) -> MeasuredQuantity:
     """A quantity that passes although an entry says that it is wrong."""
-    _, high = known.band(record.rung)
-    in_band = _in_band(record, one, known, known.band(record.rung))
-    if in_band and one.tolerance is not None and one.tolerance < high:
+    band = known.band(record.rung)
+    in_band = _in_band(record, one, known, band)
+    if in_band and one.tolerance is not None and one.tolerance < band[1]:
         return one  # the band includes the tolerance, so that a pass is expected too
     if record.modified:
         return one  # how far two laws are apart depends on the parameters

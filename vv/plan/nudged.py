@@ -6,7 +6,7 @@ import dataclasses
 from dataclasses import dataclass
 
 from vv.plan.plan import Plan
-from vv.scene import Scene, Wall
+from vv.scene import Block, Scene, Wall
 
 LAST = 2.0**-51  # of a number: one or two of the smallest steps to its neighbours
 
@@ -44,10 +44,11 @@ def nudged_scene(scene: Scene, nudge: Nudge) -> Scene:
     """The scene with masses, gravity and positions changed by a nudge."""
     changed = []
     for group in scene.bodies:
-        place = {"Wall": "point", "Block": "vertices"}.get(type(group).__name__, "position")
-        factors = {place: 1 + nudge.position}
-        if not isinstance(group, Wall):
-            factors |= dict.fromkeys(("mass", "inertia"), 1 + nudge.mass)
+        if isinstance(group, Wall):
+            factors = {"point": 1 + nudge.position}
+        else:
+            place = "vertices" if isinstance(group, Block) else "position"
+            factors = {place: 1 + nudge.position, "mass": 1 + nudge.mass, "inertia": 1 + nudge.mass}
         new = {name: factor * getattr(group, name) for name, factor in factors.items()}
         changed.append(dataclasses.replace(group, **new))
     gravity = (1 + nudge.gravity) * scene.gravity
