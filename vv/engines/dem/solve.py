@@ -20,7 +20,7 @@ from vv.engines.dem.line.model import Line, line
 from vv.engines.dem.pressed.model import Pressed, pressed
 from vv.engines.dem.refusals import refuses, wants_all
 from vv.engines.dem.space.model import Space, SpaceState, space
-from vv.engines.dem.terms.bonds import Bonds
+from vv.engines.dem.terms.bonds import Bonds, shared_bonds
 from vv.scene import Form, Scene, Vector
 from vv.standins.stand_in import SpringScene, spring_scene
 
@@ -206,7 +206,7 @@ def _with_threads(state: Any, threads: int) -> Any:
     if isinstance(state, BulkState):
         return state._replace(threads=threads)
     if isinstance(state, SpaceState):
-        kept = (t._replace(threads=threads) if isinstance(t, Bonds) else t for t in state.terms)
+        kept = (shared_bonds(t, threads) if isinstance(t, Bonds) else t for t in state.terms)
         return state._replace(terms=tuple(kept))
     return state
 

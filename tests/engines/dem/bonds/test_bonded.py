@@ -179,7 +179,7 @@ def test_the_model_holds_what_the_scene_has() -> None:
     untouched = {Term.FRICTION}  # nothing is there to touch
     assert with_shear.model.terms == {Term.SPHERE, Term.BOND, Term.BOND_SHEAR} | untouched
     assert without.model.terms == {Term.SPHERE, Term.BOND} | untouched
-    assert without.system.state.term(Springs).ks is None  # type: ignore[union-attr]
+    assert without.system.state.term(Springs).arrays.ks is None  # type: ignore[union-attr]
 
 
 def test_the_largest_stable_step_is_the_largest() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from tests.support.plain import plain
 from vv.engines.dem.bonds import all_forces, law
-from vv.engines.dem.bonds.block_forces import SCRATCH
+from vv.engines.dem.bonds.arrays import BREAKS, BROKEN, BondArrays, shares
 from vv.engines.dem.bonds.blocks import (
     ALL,
     CHUNKS,
@@ -19,14 +19,15 @@ from vv.engines.dem.bonds.blocks import (
     LIKE,
     OFFSET,
     RADII,
+    SCRATCH,
     SLIP,
     STRAINED,
     WIDE,
     Blocks,
     bond_blocks,
 )
-from vv.engines.dem.bonds.chunk_forces import BREAKS, BROKEN
 from vv.engines.dem.contact.friction import rotated
+from vv.engines.dem.space.bodies import Motion
 from vv.engines.dem.space.neighbours import Slots
 from vv.scene import Vector
 
@@ -84,22 +85,31 @@ class Several:
         return n, pull, s, arms, np.array(m)
 
 
+def term_of(some: Several, shears: bool, frail: Any = None) -> BondArrays:
+    """The bonds before a step."""
+    found = some.blocks()
+    state, chunks = np.zeros((len(found.ends), WIDE), np.uint8), len(found.window)
+    assert len(some.rows) <= state.size
+    each = shares(chunks, GROUND + 1)
+    assert each[2].shape == (chunks, SCRATCH * WIDE)
+    ks, torn = some.ks if shears else None, np.array([0.25, 0.5])
+    return BondArrays(some.springs, ks, found, frail, found.table, *each, state, torn)
+
+
+def moving(some: Several, turns: bool) -> Motion:
+    """The motion in a step, with forces and torques of others."""
+    push, turn = np.full((2, GROUND + 1, 3), 0.5)
+    if turns:
+        return Motion(some.u, some.v, some.v, push, some.w, some.w, turn)
+    return Motion(some.u, some.v, some.v, push, None, None, None)
+
+
 def pushed(
     some: Several, shears: bool, turns: bool, frail: Any = None
-) -> tuple[Vector, Vector, Any, Blocks, Any]:
-    """The forces and torques of all bonds on top of others, and what is returned and kept."""
-    found = some.blocks()
-    many, chunks = len(some.rows), len(found.window)
-    each = plain(all_forces.chunk_arrays)(chunks, GROUND + 1)
-    assert each[2].shape == (chunks, SCRATCH * WIDE)
-    state = np.zeros((len(found.ends), WIDE), np.uint8)
-    push, turn = np.full((2, GROUND + 1, 3), 0.5)
-    told = plain(all_forces.add_bond_forces)(
-        push, turn if turns else None, some.u, some.v, some.w if turns else None, DT, some.springs,
-        some.ks if shears else None, found, found.table, each, frail, state, None,
-    )  # fmt: skip
-    assert many <= state.size
-    return push, turn, told, found, state
+) -> tuple[BondArrays, Motion, Any]:
+    """The bonds after a step, the motion with forces and torques, and what is returned."""
+    term, motion = term_of(some, shears, frail), moving(some, turns)
+    return term, motion, plain(all_forces.add_bond_forces)(term, motion, DT)
 
 
 @pytest.mark.parametrize("alike", [True, False])
@@ -110,7 +120,7 @@ def test_bonds_pull_shear_and_turn_their_ends(
 ) -> None:
     """Forces are opposite; the ground's are not asked for. Torques are those at the arms."""
     some = Several(many, alike)
-    push, turn, told, found, _ = pushed(some, shears, turns)
+    term, motion, told = pushed(some, shears, turns)
     force, torque = np.full((2, GROUND + 1, 3), 0.5)
     normal = sheared = 0.0
     for p, (i, j) in enumerate(some.rows):
@@ -124,12 +134,18 @@ def test_bonds_pull_shear_and_turn_their_ends(
         normal += 0.5 * pull**2 / some.kn[p]
         sheared += 0.5 * some.ks[p] * s @ s
         if shears:
-            places = found.table.shape[1] // WIDE
-            kept = found.table[p // WIDE].reshape(places, WIDE)[SLIP : SLIP + 3, p % WIDE]
+            places = term.table.shape[1] // WIDE
+            kept = term.table[p // WIDE].reshape(places, WIDE)[SLIP : SLIP + 3, p % WIDE]
             assert kept == pytest.approx(s)
-    assert push[:GROUND] == pytest.approx(force[:GROUND])
-    assert turn[:GROUND] == pytest.approx(torque[:GROUND])
+    check_forces(motion, force, torque)
     assert told == pytest.approx((normal, sheared, 0.0))
+
+
+def check_forces(motion: Motion, force: Vector, torque: Vector) -> None:
+    """Whether the spheres that move have these forces and torques."""
+    assert motion.push[:GROUND] == pytest.approx(force[:GROUND])
+    if motion.turn is not None:
+        assert motion.turn[:GROUND] == pytest.approx(torque[:GROUND])
 
 
 def test_blocks_hold_the_numbers_of_each_bond_or_once_those_of_all() -> None:
@@ -219,18 +235,16 @@ def test_bonds_that_break_become_contacts_that_keep_what_these_bear(
     some.strength[1] = 1e9
     pressed_one = int(pulls.argmin())
     some.strength[1, pressed_one] = -1e9
-    push, turn, told, found, state = pushed(some, shears, turns, frail_of(some))
+    term, motion, told = pushed(some, shears, turns, frail_of(some))
+    state = term.state
     broken = [p for p in range(12) if pulls[p] > some.strength[0, p]]
     broken = sorted({*broken, pressed_one})
     assert pulls[pressed_one] < 0.0
     assert told[2] == len(broken) >= 2
     assert np.flatnonzero(state == BREAKS).tolist() == broken
     left = slots(20)
-    many, lost = np.array([3]), np.array([0.25, 0.5])
-    kept = plain(all_forces.break_bonds)(
-        push, turn if turns else None, some.u, some.v, some.w if turns else None, DT, some.springs,
-        some.ks if shears else None, found.table, frail_of(some), state, left, many, lost,
-    )  # fmt: skip
+    many = np.array([3])
+    kept = plain(all_forces.break_bonds)(term, motion, DT, frail_of(some), left, many)
     assert many[0] == 3 + len(broken)
     assert np.flatnonzero(state).tolist() == np.flatnonzero(state == BROKEN).tolist() == broken
     force, torque = np.full((2, GROUND + 1, 3), 0.5)
@@ -256,20 +270,7 @@ def test_bonds_that_break_become_contacts_that_keep_what_these_bear(
         if turns:
             torque[i] += arms[0] * np.cross(n, across)
             torque[j] += arms[1] * np.cross(n, across)
-    assert push[:GROUND] == pytest.approx(force[:GROUND])
-    assert turn[:GROUND] == pytest.approx(torque[:GROUND])
-    assert lost == pytest.approx(due_lost)
+    check_forces(motion, force, torque)
+    assert term.torn == pytest.approx(due_lost)
     assert kept == pytest.approx(tuple(remains))
-    again = pushed_again(some, shears, turns, found, state)
-    assert again == 0.0
-
-
-def pushed_again(some: Several, shears: bool, turns: bool, found: Blocks, state: Any) -> float:
-    """How many bonds break once more with the state after a step: none that is broken."""
-    each = plain(all_forces.chunk_arrays)(1, GROUND + 1)
-    push, turn = np.zeros((2, GROUND + 1, 3))
-    told = plain(all_forces.add_bond_forces)(
-        push, turn if turns else None, some.u, some.v, some.w if turns else None, 0.0, some.springs,
-        some.ks if shears else None, found, found.table, each, frail_of(some), state, None,
-    )  # fmt: skip
-    return float(told[2])
+    assert plain(all_forces.add_bond_forces)(term, moving(some, turns), 0.0)[2] == 0.0

@@ -166,7 +166,7 @@ def test_only_what_can_break_or_touch_is_modelled() -> None:
     lasting = dataclasses.replace(bonds, tension=np.full(2, np.inf), shear=np.full(2, np.inf))
     ask = dataclasses.replace(ask, scene=dataclasses.replace(fragments(), bonds=lasting))
     state = dem.prepare(ask, dem.CENTRED).system.state
-    assert state.term(Ties).frail is None  # type: ignore[union-attr]
+    assert state.term(Ties).arrays.frail is None  # type: ignore[union-attr]
 
 
 def chain(**changed: object) -> Scene:

@@ -63,7 +63,7 @@ def test_chunks_add_up_to_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
         assert one.solve() == 2
         paths.append(one.arguments[0])
     bonds = one.system.state.term(Bonds)  # type: ignore[union-attr]
-    assert len(bonds.blocks.window) == 2
+    assert len(bonds.arrays.blocks.window) == 2
     assert 0.0 < np.abs(paths[0] - paths[1]).max() <= 1e-13 * np.abs(paths[0]).max()
 
 

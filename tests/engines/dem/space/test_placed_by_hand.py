@@ -22,8 +22,7 @@ from tests.engines.dem.space.test_stiffness_by_hand import (
 )
 from tests.support.plain import plain
 from vv.ask import Displacement, Reaction, Velocity
-from vv.engines.dem.bonds.block_forces import SCRATCH
-from vv.engines.dem.bonds.blocks import WIDE
+from vv.engines.dem.bonds.blocks import SCRATCH, WIDE
 from vv.engines.dem.contact.law import NO_FRICTION
 from vv.engines.dem.space import neighbours
 from vv.engines.dem.space.model import space
@@ -144,7 +143,8 @@ def test_arrays_of_bonds_have_rows_for_what_moves_and_for_the_ground() -> None:
     held[0] = False
     term = of_bonds.build(placed(three((0.02, 0.03), SMOOTH, held, held, bonds=BONDS)))
     assert term is not None
-    assert [array.shape for array in term.each] == [(3, 3), (3, 3), (1, SCRATCH * WIDE), (1, 3)]
+    each = term.arrays.pushes, term.arrays.torques, term.arrays.scratch, term.arrays.held
+    assert [array.shape for array in each] == [(3, 3), (3, 3), (1, SCRATCH * WIDE), (1, 3)]
 
 
 LOCKED = np.array([[True, True, False], [False, False, False], [True, True, True]])

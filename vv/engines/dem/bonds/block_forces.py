@@ -6,7 +6,26 @@ forces are added to those of the spheres.
 
 from __future__ import annotations
 
-from vv.engines.dem.bonds.blocks import FIRST, KN, OFFSET, RADII, SLIP, STRAINED, WIDE, Ends
+from vv.engines.dem.bonds.arrays import BondArrays
+from vv.engines.dem.bonds.blocks import (
+    ARMS,
+    FIRST,
+    FORCE,
+    HIT,
+    KN,
+    MOVED,
+    NORMAL,
+    OFFSET,
+    RADII,
+    SHEARED,
+    SLIP,
+    SPIN_I,
+    SPIN_J,
+    STEP,
+    STRAINED,
+    TORQUE,
+    WIDE,
+)
 from vv.engines.dem.bonds.law import (
     Frail,
     arms,
@@ -16,7 +35,7 @@ from vv.engines.dem.bonds.law import (
     surface_motion,
 )
 from vv.engines.dem.contact.friction import rotated
-from vv.engines.dem.space.neighbours import State
+from vv.engines.dem.space.bodies import Motion
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.prefetch import begin_to_read
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
@@ -24,8 +43,6 @@ from vv.scene import Vector
 
 LINE = 8  # numbers in a cache line; WIDE lines hold nearly all numbers of a block
 Like = tuple[float, float, float, float]
-MOVED, STEP, SPIN_I, SPIN_J = 0, 3, 6, 9  # places in scratch: motion of ends
-FORCE, TORQUE, ARMS, NORMAL, SHEARED, HIT, SCRATCH = 12, 15, 18, 20, 21, 22, 23
 
 
 @inlined
@@ -56,24 +73,22 @@ def property_of(table: Vector, like: Like | None, which: int, k: int, q: int) ->
 
 
 @inlined
-def gather_ends(
-    scratch: Vector,
-    c: int,
-    table: Vector,
-    ends: Ends,
-    k: int,
-    many: int,
-    u: Vector,
-    v: Vector,
-    w: Vector | None,
-) -> None:
+def bonds_in(bonds: BondArrays, k: int) -> int:
+    """How many bonds block k has: the last one may be incomplete."""
+    return min(WIDE, len(bonds.springs[0]) - k * WIDE)
+
+
+@inlined
+def gather_ends(bonds: BondArrays, c: int, k: int, motion: Motion, w: Vector | None) -> None:
     """Copy the relative motion and the spins of the ends of block k's bonds to row c of scratch.
 
     Meanwhile the table of the next block is loaded into the cache, if there is a next block. A
     scene with few bonds has none; the loads would cost a twentieth of its step.
     """
+    scratch, table, ends = bonds.scratch, bonds.table, bonds.blocks[0]
+    u, v = motion.u, motion.v
     goes_on = k + 1 < len(table)
-    for q in range(many):
+    for q in range(bonds_in(bonds, k)):
         if goes_on:
             begin_to_read(table, k + 1, q * LINE)
         i, j = ends[k, q], ends[k, WIDE + q]
@@ -86,17 +101,14 @@ def gather_ends(
 
 @inlined
 def compute_block(
-    scratch: Vector,
+    bonds: BondArrays,
     c: int,
-    table: Vector,
     k: int,
-    many: int,
     dt: float,
     like: Like | None,
     ks: Vector | None,
     w: Vector | None,
     frail: Frail | None,
-    state: State,
 ) -> int:
     """Compute the forces and energies of the bonds in block k; return how many bonds break.
 
@@ -104,8 +116,8 @@ def compute_block(
     that it is vectorised. A bond that breaks or is broken has no force. For this reason it is one
     function.
     """
-    breaking = 0
-    for q in range(many):
+    scratch, table, state, breaking = bonds.scratch, bonds.table, bonds.state, 0
+    for q in range(bonds_in(bonds, k)):
         r, moved = vector_of(table, k, OFFSET, q), vector_of(scratch, c, MOVED, q)
         first, strained = table[k, FIRST * WIDE + q], table[k, STRAINED * WIDE + q]
         now, n, length, stretch = elongation(r, moved, first, strained)
@@ -143,23 +155,15 @@ def compute_block(
 
 @inlined
 def add_block_forces(
-    push: Vector,
-    turn: Vector,
-    base: int,
-    scratch: Vector,
-    c: int,
-    ends: Ends,
-    k: int,
-    many: int,
-    ks: Vector | None,
-    w: Vector | None,
+    bonds: BondArrays, c: int, k: int, base: int, ks: Vector | None, w: Vector | None
 ) -> tuple[float, float]:
-    """Add the forces of block k to push and turn, from row `base` on; return both energies [J].
+    """Add the forces of block k to those of its chunk, from row `base` on.
 
-    The energies are those of normal and of shear springs.
+    Return their energies [J]: those of normal and of shear springs.
     """
+    push, turn, scratch, ends = bonds.pushes, bonds.torques, bonds.scratch, bonds.blocks[0]
     normal = sheared = 0.0
-    for q in range(many):
+    for q in range(bonds_in(bonds, k)):
         i, j = base + ends[k, q], base + ends[k, WIDE + q]
         force = vector_of(scratch, c, FORCE, q)
         put(push, i, add_scaled(at(push, i), 1.0, force))

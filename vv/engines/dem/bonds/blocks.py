@@ -21,6 +21,8 @@ WIDE = 64  # bonds in a block
 OFFSET, SLIP, FIRST, STRAINED, RADII, KN, KS, TENSION, SHEAR = 0, 3, 6, 7, 8, 10, 11, 12, 13
 """Places of the numbers of each bond in a block: a vector takes three places, the radii two."""
 LIKE, ALL = KN, SHEAR + 1  # places in a block: if bonds are alike, if they differ
+MOVED, STEP, SPIN_I, SPIN_J = 0, 3, 6, 9  # places in scratch: motion of ends
+FORCE, TORQUE, ARMS, NORMAL, SHEARED, HIT, SCRATCH = 12, 15, 18, 20, 21, 22, 23
 CHUNKS, LEAST = 8, 16  # most chunks; fewest blocks in a chunk
 
 

@@ -19,7 +19,7 @@ SKIN = 0.2  # relative to the smallest radius: pairs with a smaller gap are near
 
 
 class Bonded(NamedTuple):
-    """The arguments of these names of `all_forces.add_bond_forces`; None without bonds."""
+    """The fields of these names of `BondArrays`; None without bonds."""
 
     springs: Springs | None = None
     ks: Vector | None = None
@@ -50,7 +50,7 @@ def search_data(scene: Scene, moves: Mask, row: Index, state: State) -> Near | N
 
     It is not needed where no spheres can touch, unless bonds turn them, or where there are few
     spheres and no bonds, so that all pairs are listed once. state: of the bonds
-    (`vv.engines.dem.bonds.chunk_forces`).
+    (`vv.engines.dem.bonds.arrays`).
     """
     spheres = scene.spheres
     if Term.SPHERE_CONTACT not in scene.terms() and not bonds_turn_alone(scene):

@@ -6,40 +6,26 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.bonds.all_forces import Shares, add_bond_forces, break_bonds
-from vv.engines.dem.bonds.block_forces import SCRATCH
-from vv.engines.dem.bonds.blocks import WIDE, Blocks
-from vv.engines.dem.bonds.law import Frail, Springs
+from vv.engines.dem.bonds.all_forces import add_bond_forces, break_bonds
+from vv.engines.dem.bonds.arrays import WHOLE, BondArrays, shares
+from vv.engines.dem.bonds.blocks import WIDE
+from vv.engines.dem.bonds.law import Frail
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space import springs as stable
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.ledger import column
-from vv.engines.dem.space.neighbours import Slots, State
+from vv.engines.dem.space.neighbours import Slots
 from vv.engines.dem.space.placed import Placed
-from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import inlined
 from vv.scene import Form, Mask, Vector
 
 NORMAL, SHEAR = column(Form.BROKEN_NORMAL), column(Form.BROKEN_SHEAR)
 
 
-@bundle
 class Bonds(NamedTuple):
-    """The bonds of a scene; the fields are the arguments of `add_bond_forces` of the same names.
+    """The bonds of a scene."""
 
-    The state that changes from step to step is table, each, state and torn: (2,) the energies [J]
-    lost with the normal and the shear springs of broken bonds.
-    """
-
-    springs: Springs
-    ks: Vector | None
-    blocks: Blocks
-    frail: Frail | None
-    table: Vector
-    each: Shares
-    state: State
-    torn: Vector
-    threads: int | None = None
+    arrays: BondArrays
 
 
 def build(placed: Placed) -> Bonds | None:
@@ -48,31 +34,35 @@ def build(placed: Placed) -> Bonds | None:
     if springs is None or blocks is None:
         return None
     chunks = len(blocks.window)
-    rows = chunks * (int(placed.moves.sum()) + 1)
-    each = (np.zeros((rows, 3)), np.zeros((rows, 3)),
-            np.zeros((chunks, SCRATCH * WIDE)), np.zeros((chunks, 3)))  # fmt: skip
-    return Bonds(springs, ks, blocks, frail, np.zeros_like(blocks.table), each, state, np.zeros(2))
+    each = shares(chunks, int(placed.moves.sum()) + 1)
+    table, torn = np.zeros_like(blocks.table), np.zeros(2)
+    return Bonds(BondArrays(springs, ks, blocks, frail, table, *each, state, torn))
+
+
+def shared_bonds(term: Bonds, threads: int) -> Bonds:
+    """The same bonds, whose chunks are computed in so many threads."""
+    return Bonds(term.arrays._replace(threads=threads))
 
 
 def turns(term: Bonds) -> bool:
     """Whether the bonds may rotate spheres."""
-    return term.ks is not None
+    return term.arrays.ks is not None
 
 
 def forms(term: Bonds) -> tuple[Form, ...]:
     """The forms of energy that bonds report."""
-    return () if term.frail is None else (Form.BROKEN_NORMAL, Form.BROKEN_SHEAR)
+    return () if term.arrays.frail is None else (Form.BROKEN_NORMAL, Form.BROKEN_SHEAR)
 
 
 def words(term: Bonds) -> str:
     """The part of the model's description that concerns bonds."""
-    return f", {len(term.springs[0])} bonds"
+    return f", {len(term.arrays.springs[0])} bonds"
 
 
 def springs(term: Bonds, near: object) -> tuple[stable.Springs, Mask]:
     """The springs of all bonds, and a mask that is true throughout: all exist at t = 0."""
-    rows, offset, first, _, kn, radius = term.springs
-    across = np.zeros(len(kn)) if term.ks is None else term.ks
+    rows, offset, first, _, kn, radius = term.arrays.springs
+    across = np.zeros(len(kn)) if term.arrays.ks is None else term.arrays.ks
     beyond = 0.5 * (first - radius.sum(axis=1))[:, None]
     found = stable.Springs(rows, offset / first[:, None], kn, across, radius + beyond)
     return found, np.ones(len(kn), bool)
@@ -81,14 +71,14 @@ def springs(term: Bonds, near: object) -> tuple[stable.Springs, Mask]:
 @inlined
 def begin(term: Bonds, bodies: Bodies, motion: Motion) -> None:
     """Make all bonds whole, as they are at t = 0."""
-    table = term.blocks[1]
+    table = term.arrays.blocks[1]
     for k in range(table.shape[0]):
         for c in range(table.shape[1]):
-            term.table[k, c] = table[k, c]
-    for k in range(term.state.shape[0]):
+            term.arrays.table[k, c] = table[k, c]
+    for k in range(term.arrays.state.shape[0]):
         for q in range(WIDE):
-            term.state[k, q] = 0
-    term.torn[0] = term.torn[1] = 0.0
+            term.arrays.state[k, q] = WHOLE
+    term.arrays.torn[0] = term.arrays.torn[1] = 0.0
 
 
 @inlined
@@ -96,10 +86,7 @@ def force(
     term: Bonds, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
     """Add the forces of all bonds except those that break; return their springs' energies [J]."""
-    normal, shear, _ = add_bond_forces(
-        motion.push, motion.turn, motion.u, motion.v, motion.w, dt, term.springs, term.ks,
-        term.blocks, term.table, term.each, term.frail, term.state, term.threads,
-    )  # fmt: skip
+    normal, shear, _ = add_bond_forces(term.arrays, motion, dt)
     return normal, shear, 0.0, 0.0
 
 
@@ -108,7 +95,7 @@ def release(
     term: Bonds, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float]:
     """Break the bonds whose strength is exceeded; return the energies that remain [J]."""
-    return breaking(term, term.frail, motion, dt, slots, many)
+    return breaking(term, term.arrays.frail, motion, dt, slots, many)
 
 
 @inlined
@@ -118,21 +105,18 @@ def breaking(
     """As `release`; frail is None if no bond can break."""
     if frail is None:
         return 0.0, 0.0
-    held, many_break = term.each[3], 0.0
+    held, many_break = term.arrays.held, 0.0
     for c in range(len(held)):
         many_break += held[c, 2]
     if many_break == 0.0:
         return 0.0, 0.0
-    return break_bonds(
-        motion.push, motion.turn, motion.u, motion.v, motion.w, dt, term.springs, term.ks,
-        term.table, frail, term.state, slots, many, term.torn,
-    )  # fmt: skip
+    return break_bonds(term.arrays, motion, dt, frail, slots, many)
 
 
 @inlined
 def book(term: Bonds, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
     """Write the energies lost with broken bonds since t = 0 [J]."""
-    write_losses(energy, row, term.torn, term.frail)
+    write_losses(energy, row, term.arrays.torn, term.arrays.frail)
     return (0.0,)
 
 
