@@ -11,6 +11,7 @@ import pytest
 from llvmlite import ir
 from numba.core import compiler, types
 
+from vv.engines.kernels.compiled import compiled
 from vv.engines.kernels.compiler import lowering
 from vv.engines.kernels.compiler.lean import names_element, steps_by_one
 from vv.engines.kernels.compiler.lowering import Lower
@@ -104,3 +105,9 @@ def test_references_are_counted_of_what_holds_them_where_they_are_counted(
     context = SimpleNamespace(enable_nrt=counts, data_model_manager=None)
     one: Any = SimpleNamespace(context=context, fndesc=SimpleNamespace(typemap={"x": True}))
     assert Lower.is_counted(one, "x") is (counts and holds)
+
+
+def test_kernels_say_that_numba_may_not_compile(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    with pytest.raises(RuntimeError, match="NUMBA_DISABLE_JIT is set"):
+        compiled(lambda: 0.0)()

@@ -38,6 +38,7 @@ class Deferred:
     @functools.cached_property
     def dispatcher(self) -> Any:
         """The function as wrapped by numba."""
+        check_that_numba_compiles()
         register_all()
         return self._wrap(self._function)
 
@@ -46,6 +47,14 @@ class Deferred:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.dispatcher, name)  # numba looks up its type in this way
+
+
+def check_that_numba_compiles() -> None:
+    """Raise a `RuntimeError` where the environment forbids numba to compile."""
+    import numba
+
+    if cast(Any, numba.config).DISABLE_JIT:
+        raise RuntimeError("NUMBA_DISABLE_JIT is set, but kernels run compiled only; unset it")
 
 
 def compiled(function: Kernel) -> Kernel:
