@@ -17,6 +17,14 @@ SUBREAPER = 36  # Linux: PR_SET_CHILD_SUBREAPER
 ROUNDS = 20  # rounds of killing: a killed process may just have started another
 
 
+def name_of_signal(number: int) -> str:
+    """The name of a signal, such as SIGKILL; most real-time signals have only a number."""
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return str(number)
+
+
 def adopt_orphans() -> None:
     """Make this process the parent of orphaned descendants; works on Linux only."""
     with contextlib.suppress(OSError, AttributeError):

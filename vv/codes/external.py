@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import signal
 import subprocess
 import tempfile
 import time
@@ -17,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from vv.ask import Run, Status
-from vv.base.processes import end_with_descendants
+from vv.base.processes import end_with_descendants, name_of_signal
 
 POLL = 0.02  # s between two checks for a result; one costs about 10 us
 LARGEST_LOG = 64_000_000  # bytes of output after which a program is stopped, before it fills a disk
@@ -113,7 +112,7 @@ def stop(program: Process, patience: float = 0.0) -> None:
 def how_it_ended(program: Process, lines: int = 5) -> str:
     """How an ended program ended, with the last lines of its log."""
     code = program.process.returncode
-    ending = f"exit code {code}" if code >= 0 else f"signal {signal.Signals(-code).name}"
+    ending = f"exit code {code}" if code >= 0 else f"signal {name_of_signal(-code)}"
     complains = program.errors is not None and bool(_lines(program.errors))
     return f"{ending}; {last_lines((complains and program.errors) or program.log, lines)}"
 

@@ -19,6 +19,7 @@ from vv.ask import Run, Status
 from vv.base.processes import (
     end_those_in,
     end_with_descendants,
+    name_of_signal,
 )
 from vv.run.process import Batch, work
 
@@ -144,7 +145,7 @@ def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]
 def _how_it_died(worker: _Worker) -> str:
     code, asks = worker.process.exitcode, len(worker.batch.asks)
     if code is not None and code < 0:
-        return f"the worker was killed by {signal.Signals(-code).name}"
+        return f"the worker was killed by {name_of_signal(-code)}"
     if code == 0:
         return f"the adapter answered {worker.answered} of {asks} asks and stopped"
     return f"the worker ended early with exit code {code}"
