@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import os
+import signal
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,6 +15,7 @@ import pytest
 from tests.run.test_runner import Deadly, batch
 from vv.ask import Run, Status
 from vv.run import process
+from vv.run.runner import run_batches
 
 
 class Pipe:
@@ -91,3 +94,17 @@ def test_a_worker_whose_parent_was_gone_before_it_could_be_told_ends(
     monkeypatch.setattr(process, "_end_all", lambda: ended.append(True))
     process.die_with_parent()
     assert bool(ended) is ends
+
+
+class Killed(Deadly):
+    """A code that is ended by a real-time signal, which has no name."""
+
+    def run(self, asks: Sequence[Any], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Nothing."""
+        os.kill(os.getpid(), signal.SIGRTMIN + 6)
+        yield from ()
+
+
+def test_a_worker_that_a_signal_without_a_name_ended_is_told_by_its_number(tmp_path: Path) -> None:
+    ((_, run),) = run_batches([batch(Killed(-1, -1), range(1))], 1, 30.0, lambda: tmp_path)
+    assert run.reason.startswith(f"the worker was killed by {signal.SIGRTMIN + 6}; see ")

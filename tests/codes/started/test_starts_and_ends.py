@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 import time
 from collections.abc import Sequence
@@ -13,6 +14,8 @@ import pytest
 from vv.ask import Run, Status
 from vv.codes import external
 from vv.codes.external import Process, how_it_ended, run_batch, start, stop
+
+NAMELESS = signal.SIGRTMIN + 6
 
 
 def ended(folder: Path, text: str, errors: str = "") -> Process:
@@ -79,7 +82,7 @@ def test_of_a_program_that_complains_the_complaint_is_quoted_else_its_output(
 
 
 def test_a_signal_without_a_name_is_told_by_its_number(tmp_path: Path) -> None:
-    assert how_it_ended(ended(tmp_path, "kill -40 $$")) == "signal 40; no output"
+    assert how_it_ended(ended(tmp_path, f"kill -{NAMELESS} $$")) == f"signal {NAMELESS}; no output"
 
 
 def test_one_that_has_answered_all_may_end_by_itself_and_is_ended_if_it_does_not(
