@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 RELATIVE = 3e-14  # relative tolerance of a step, about 100 rounding errors
+LONGEST = 20.0  # times the largest overlap over the speed; contacts last less than 4 of these
 MOST = 20  # changes between stick and slip; more of them count as a failure
 
 
@@ -133,7 +134,7 @@ class Impact:
         self.mass = one.mass if two.is_wall else one.mass * two.mass / (one.mass + two.mass)
         self.damping = 2.0 * law.z * sqrt(self.mass * law.p * law.K)
         deep = ((law.p + 1.0) * self.mass * vn**2 / (2.0 * law.K)) ** (1.0 / (law.p + 1.0))
-        self.longest = 20.0 * deep / vn
+        self.unit, self.longest = deep / vn, LONGEST * deep / vn
         turn = vn / sphere.radius
         self.sizes = np.array([deep, deep, vn, vn, turn, turn, law.K * deep**law.p])
 
@@ -164,9 +165,15 @@ class Impact:
         return -beyond / (rate + sqrt(max(rate**2 - float(speed @ speed) * beyond, 0.0)))
 
     def push(self, overlap: float, closing: float) -> float:
-        """The normal force Fn without the limit at zero."""
-        law, deep = self.law, max(overlap, 0.0)
+        """The normal force Fn without the limit at zero: steps that go beyond it find it smooth."""
+        law, deep = self.law, overlap if self.law.p == 1.0 else max(overlap, 0.0)
         return float(law.K * deep**law.p + self.damping * deep ** (0.5 * law.p - 0.5) * closing)
+
+    def pressing(self, y: Array) -> float:
+        """Fn/U^((p - 1)/2), which passes through zero once, where the contact ends."""
+        overlap, closing = self.closing(y)
+        held = self.law.K * abs(overlap) ** (0.5 * self.law.p + 0.5)
+        return copysign(held, overlap) + self.damping * closing
 
     def arms(self, part: float, overlap: float) -> tuple[float, float]:
         """The lever arms [m], each a radius less a fraction `part` of the overlap; 0 for a wall."""
@@ -185,7 +192,7 @@ class Impact:
         """The derivative y'; slips: the sign of T where the contact slips, else 0."""
         now = y.tolist()
         c, s, overlap = self.frame(now)
-        push = max(self.push(overlap, -(c * now[2] + s * now[3])), 0.0)
+        push = self.push(overlap, -(c * now[2] + s * now[3]))
         rubbing = slips * self.law.mu * push if slips else now[6]
         first, second = self.arms(self.law.b, overlap)
         return np.array([
@@ -220,8 +227,7 @@ class Impact:
         from scipy.integrate import solve_ivp
 
         def ends(t: float, y: Array) -> float:
-            overlap, closing = self.closing(y)
-            return self.push(overlap, closing) if overlap > 0.0 else overlap
+            return self.pressing(y)
 
         def changes(t: float, y: Array) -> float:
             if self.law.mu == 0.0:
@@ -230,17 +236,21 @@ class Impact:
 
         for event in (ends, changes):
             event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
+        # Time is counted in units of the contact, since events are located to 1e-15 of one unit.
+        # The first step of the contact is tiny, since forces that grow as t^p are not smooth there;
+        # after a change the margin grows as the square of a step, and must stand out of rounding.
         found = solve_ivp(
-            lambda t, y: self.slope(y, slips), (time, time + self.longest), y, "DOP853",
+            lambda t, y: self.unit * self.slope(y, slips), (0.0, LONGEST), y, "DOP853",
             events=(ends, changes), rtol=RELATIVE, atol=1e-15 * self.sizes,
-            first_step=1e-6 * self.longest,
+            first_step=2e-5 if time else 1e-11,
         )  # fmt: skip
         if found.status != 1:
             raise RuntimeError(f"the contact did not end within {self.longest:.3g} s")
         state = found.y[:, -1].copy()
         if slips:
             state[6] = slips * self.law.mu * max(self.push(*self.closing(state)), 0.0)
-        return float(found.t[-1]), state, bool(len(found.t_events[0]))
+        ended = len(found.t_events[0]) > 0 or self.pressing(state) <= 0.0  # T = 0: both are due
+        return time + self.unit * float(found.t[-1]), state, ended
 
     def reserve(self, y: Array) -> float:
         """The margin against slip, mu Fn - |T| [N]."""

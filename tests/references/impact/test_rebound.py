@@ -2,7 +2,10 @@
 
 import math
 
+import numpy as np
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 
 from reference_solutions.checks.impact import rebound as second
 from reference_solutions.impact import hertz
@@ -45,9 +48,10 @@ def _agree(law: Law, one: Sphere, two: Sphere, start: dict[str, float]) -> None:
     other = _again(law, one, two, **start)
     speed = math.hypot(start["vn"], start.get("vt", 0.0))
     turn = max(speed / one.radius, abs(start.get("spin", 0.0)))
-    sizes = (speed, speed, turn, turn, first.lasting, first.lasting)
+    other_turn = max(turn, speed / two.radius, abs(start.get("partner_spin", 0.0)))
+    sizes = (speed, speed, turn, other_turn, first.lasting, first.cleared)
     for a, b, size in zip(first, other, sizes, strict=True):
-        assert a == pytest.approx(b, abs=1e-10 * size)
+        assert a == pytest.approx(b, abs=1e-11 * size)
 
 
 @pytest.mark.parametrize("degrees", [2, 10, 20, 45])
@@ -82,6 +86,65 @@ def test_two_routes_agree_on_soft_spheres_that_stick_once_their_line_of_centres_
     """The overlap is a twentieth of the distance, and damping delays the end of slip."""
     start = {"vn": 0.4, "vt": 0.4, "spin": 5.0, "partner_spin": -3.0}
     _agree(Law(1e5, 1.2e5, 0.4, 1.5, 0.3), Sphere(0.1, 11.3), Sphere(0.2, 90.0), start)
+
+
+def _tens(low: float, high: float) -> st.SearchStrategy[float]:
+    """Numbers whose decimal logarithm is between these."""
+    return st.floats(low, high).map(lambda power: float(10.0**power))
+
+
+PARTNERS = st.none() | st.tuples(_tens(-1, 1), _tens(-2, 2))
+
+
+def _like(**values: object) -> example:
+    """An example: a hard sphere with friction that is thrown at a wall, but for these values."""
+    hard = {"p": 1.5, "z": 0.0, "mu": 0.5, "shear": 0.9, "depth": 1e-4, "partner": None, "vn": 1.0}
+    thrown = {"vt": 0.2, "spins": (0.0, 0.0), "arms": (0.5, 0.5), "h": 0.0}
+    return example(**(hard | thrown | values))
+
+
+@_like(z=0.9, mu=0.3, shear=0.5, depth=0.06, partner=(1.0, 2.0), vt=2.0)  # leaves fast and askew
+@_like(z=0.6, mu=0.99, depth=2e-5, vt=0.18, spins=(2.6, 0.0), h=1.0)  # sticks at first, damped
+@_like(z=0.0138, shear=1.35, depth=1.7e-3, vt=0.0, spins=(0.45, 0.0), arms=(0.0, 0.5), h=1.0)
+@_like(p=1.0, mu=0.0, depth=4e-6, partner=(6.6, 79.0), vn=10.0, vt=0.0)  # lasts 1e-8 s
+@_like(z=0.487, depth=5e-6, vt=0.0, h=1.0)  # head-on: the limits of friction and contact coincide
+@_like(mu=0.464, shear=0.0084, depth=2.3e-4, vt=1.82, h=1.0)  # slips as contact ends
+@settings(max_examples=30, deadline=None)
+@given(
+    p=st.sampled_from([1.0, 1.5]),
+    z=st.just(0.0) | st.floats(0.01, 0.99),
+    mu=st.just(0.0) | _tens(-2, 0.3),
+    shear=_tens(-3, 0.2),
+    depth=_tens(-6, -0.5),
+    partner=PARTNERS,
+    vn=_tens(-3, 1),
+    vt=st.just(0.0) | _tens(-2, 1.5),
+    spins=st.tuples(st.floats(-3, 3), st.floats(-3, 3)),
+    arms=st.tuples(st.sampled_from([0.0, 0.5, 1.0]), st.sampled_from([0.0, 0.5, 1.0])),
+    h=st.sampled_from([0.0, 1.0]),
+)
+def test_two_routes_agree_from_hard_to_soft_and_from_head_on_to_grazing(
+    p: float,
+    z: float,
+    mu: float,
+    shear: float,
+    depth: float,
+    partner: tuple[float, float] | None,
+    vn: float,
+    vt: float,
+    spins: tuple[float, float],
+    arms: tuple[float, float],
+    h: float,
+) -> None:
+    """depth: the largest overlap over the smaller radius; shear: S/K; vt and spins: over vn."""
+    one, two = Sphere(0.01, 0.02), WALL if partner is None else Sphere(*np.multiply(partner, 0.01))
+    reduced = 1.0 / (1.0 / one.mass + 1.0 / two.mass)
+    most = depth * min(one.radius, two.radius)
+    K = 0.5 * (p + 1.0) * reduced * vn**2 / most ** (p + 1.0)
+    start = {"vn": vn, "vt": vt * vn, "spin": spins[0] * vn / one.radius}
+    if partner is not None:
+        start["partner_spin"] = spins[1] * vn / two.radius
+    _agree(Law(K, shear * K, mu, p, z, *arms, h), one, two, start)
 
 
 @pytest.mark.parametrize("degrees", [45, 60, 85])
