@@ -145,7 +145,7 @@ def _phase_bounds(reason: str, w: float) -> Exact:
     known = ANGLES[0] ** 2 / (24 if reason == SWIFT else 4)
     bound = Tolerance(1.02 * known, reason, dt=ANGLES[0] / w, order=2)
     return Exact({
-        Method.EXACT: Tolerance(1e-11, "rounding errors of three thousand pieces of the motion"),
+        Method.EXACT: Tolerance(1e-11, "rounding errors of up to 3e5 pieces of the motion"),
         Method.LINEARISED: Tolerance(1e-11, "a bond that does not rotate is linear: only rounding "
                                      "errors remain"),
         Method.LEAPFROG: bound,

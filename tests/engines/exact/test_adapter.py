@@ -35,12 +35,21 @@ def test_accumulating_events_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_too_many_steps_are_an_answer(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    for module in ("flow", "line.flow"):
-        monkeypatch.setattr(f"vv.engines.exact.{module}.MOST_STEPS", 100)
+    for most, value in (("STEPS", 100), ("NUMBERS", 0)):
+        monkeypatch.setattr(f"vv.engines.exact.flow.MOST_{most}", value)
     (run,) = ADAPTER.run([asked("T3", 20.0)], "default", tmp_path, 0.0)
     assert run.status is Status.DIVERGED
     assert "more than 100 steps" in run.reason
     assert run.model is not None
+
+
+def test_a_run_may_take_more_steps_where_they_store_fewer_numbers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("vv.engines.exact.flow.MOST_STEPS", 100)
+    assert solve(asked("T3", 20.0)).status is Status.RAN
+    monkeypatch.setattr("vv.engines.exact.flow.MOST_NUMBERS", 100 * 34)
+    assert "more than 100 steps" in solve(asked("T3", 20.0)).reason
 
 
 def test_numbers_out_of_range_are_an_answer() -> None:

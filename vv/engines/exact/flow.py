@@ -23,9 +23,17 @@ from vv.engines.exact.system import System
 from vv.engines.kernels.compiled import entry
 
 MOST_EVENTS = 50_000  # in one run; with more, events are said to accumulate
-MOST_STEPS = 200_000  # in one run
+MOST_STEPS = 200_000  # in one run, and more where fewer unknowns are moved
+MOST_NUMBERS = 40_000_000  # in arrays of so many steps, or 320 MB: a million steps of one unknown
 FEW = 64  # pieces for which arrays have room at first
 Outcome = tuple[int, int, float, int]  # what `follow_system` returns
+
+
+def most_steps(system: System) -> int:
+    """The number of steps that a run may take: a step stores a Taylor series of each unknown."""
+    _, velocity, lengths, states = system.start
+    numbers = 3 + len(states) + len(lengths) + (ORDER + 1) * len(velocity)
+    return max(MOST_STEPS, MOST_NUMBERS // numbers)
 
 
 class SystemFlow:
@@ -33,7 +41,8 @@ class SystemFlow:
 
     def __init__(self, system: System, duration: float) -> None:
         self.system, self.duration = system, duration
-        self.room = min(FEW, MOST_STEPS)
+        self.most = most_steps(system)
+        self.room = min(FEW, self.most)
         self.filled = self._filled()
 
     def warm(self) -> None:
@@ -46,9 +55,9 @@ class SystemFlow:
             outcome = self._kernel(*self._initial(), self.duration, MOST_EVENTS, *self.filled)
             if outcome[0] == ENDED:
                 return outcome
-            if outcome[0] != FULL or self.room >= MOST_STEPS:
+            if outcome[0] != FULL or self.room >= self.most:
                 raise StoppedError(self._why(outcome))
-            self.room = min(4 * self.room, MOST_STEPS)
+            self.room = min(4 * self.room, self.most)
             self.filled = self._filled()
 
     def path(self, outcome: Outcome) -> Path:
@@ -88,7 +97,7 @@ class SystemFlow:
             BEYOND: f"the motion exceeds the range of floating-point numbers at t = {t:.6g} s",
             CROWDED: f"events accumulate: more than {MOST_EVENTS} by t = {t:.6g} s",
             FULL: "the duration is too long for so fast a motion: more than "
-            f"{MOST_STEPS} steps by t = {t:.6g} s",
+            f"{self.most} steps by t = {t:.6g} s",
         }[code]
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.engines.exact.flow import FEW, MOST_EVENTS, MOST_STEPS, Outcome, SystemFlow
+from vv.engines.exact.flow import FEW, MOST_EVENTS, Outcome, SystemFlow, most_steps
 from vv.engines.exact.line.kernel import follow_one
 from vv.engines.exact.line.model import Line
 from vv.engines.exact.line.path import parts_of, path_of
@@ -42,7 +42,7 @@ class LineFlow:
         if not isinstance(outcome, int):
             return self._general.path(outcome)
         pieces = self.pieces[:outcome]
-        if parts_of(self.line, pieces, self.duration).sum() <= MOST_STEPS:
+        if parts_of(self.line, pieces, self.duration).sum() <= most_steps(self.system):
             path = path_of(self.system, self.line, pieces, self.duration)
             if np.isfinite(path.series).all():
                 return path
