@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from vv.ask import Status
+from vv.ask import Ledger, Status
 from vv.gate.expiry import by_code_and_case, expiring, in_force
 from vv.gate.judgement import Breach, breaches
 from vv.records.finding import Aspect, Bit, Finding
@@ -28,8 +28,9 @@ class KnownBreach:
     dt=0.2,kn=1000000. breach: the smallest and the largest known breach, in the law's unit. At each
     such rung the breach must lie within the band; otherwise this is reported. elsewhere: the
     largest breach of a law in J at parameters other than those of the case, over the largest energy
-    stored; a run that diverged there has created energy, which the same entry knows. An entry
-    without `breach` applies to such parameters alone. expires: ISO date. Raises ValueError naming
+    stored, or over the energy turned over if a dissipation is negative; a run that diverged there
+    has created energy, which the same entry knows. An entry without `breach` applies to such
+    parameters alone. expires: ISO date. Raises ValueError naming
     the field, the value and the rule.
     """
 
@@ -85,7 +86,16 @@ class KnownBreach:
             return low <= seen <= high
         if record.ledger is None or not ran(record):
             return law == CREATED
-        return law.endswith("[J]") and seen <= (self.elsewhere or 0.0) * record.ledger.peak
+        scale = turned_over(record.ledger) if law.startswith("negative ") else record.ledger.peak
+        return law.endswith("[J]") and seen <= (self.elsewhere or 0.0) * scale
+
+
+def turned_over(ledger: Ledger) -> float:
+    """The energy [J] that a run holds, has dissipated or given away in the end, or held at most.
+
+    A dissipation that is negative by more would break the balance.
+    """
+    return max(ledger.peak, sum(max(term, 0.0) for term in ledger.terms.values()))
 
 
 def judge(

@@ -45,6 +45,14 @@ def created(part: float, modified: bool = True) -> Record:
     return record("dem/default", "T1", 1e-3, modified=modified, **given)
 
 
+def rubbed(given: float, lost: float = 2.0) -> Record:
+    """A record at other parameters, to which friction gave energy; 1 J is left, 2 J were held."""
+    terms = {"kinetic energy": 1.0, "numerical dissipation": lost, "friction dissipation": -given}
+    ledger = {"terms": terms, "unaccounted": 0.0, "peak": 2.0, "bound": 1e-9, "audits": {}}
+    quantities = [entry("pass", {"max": 1e-4})]
+    return record("dem/default", "T1", 1e-3, modified=True, ledger=ledger, quantities=quantities)
+
+
 def judged(one: Record, **changes: Any) -> tuple[Outcome, bool]:
     """What a record comes to with an entry, and whether the gate is red."""
     known = [KnownBreach(**{**KNOWN, **changes})]
@@ -88,6 +96,10 @@ def test_an_entry_speaks_of_each_of_the_variants_and_rungs_that_it_names(
 @pytest.mark.parametrize(
     ("one", "largest", "seen", "red"),
     [
+        (rubbed(2.9), 1.0, Outcome.XFAIL, False),  # of 1 J left and 2 J lost
+        (rubbed(3.1), 1.0, Outcome.NOT_CONSERVED, True),
+        (rubbed(1.9, lost=0.0), 1.0, Outcome.XFAIL, False),  # of 2 J held
+        (rubbed(2.1, lost=0.0), 1.0, Outcome.NOT_CONSERVED, True),
         (created(2.9), 3.0, Outcome.XFAIL, False),
         (created(3.1), 3.0, Outcome.NOT_CONSERVED, True),
         (created(2.9), None, Outcome.NOT_CONSERVED, True),
@@ -99,7 +111,7 @@ def test_an_entry_speaks_of_each_of_the_variants_and_rungs_that_it_names(
         (broken(status=Status.DIVERGED, ledger=None), 3.0, Outcome.DIVERGED, True),
     ],
 )
-def test_at_other_parameters_a_known_breach_is_limited_by_the_energy_stored(
+def test_at_other_parameters_a_known_breach_is_limited_by_the_energy_stored_or_turned_over(
     one: Record, largest: float | None, seen: Outcome, red: bool
 ) -> None:
     band = None if largest else (0.012, 0.014)
@@ -221,8 +233,8 @@ def lagging(case: str, variant: str, scheme: str, gained: float | None) -> Recor
     """A run of `dda` with other parameters: energy gained by friction over that stored, or None."""
     changes: dict[str, Any] = {"status": "diverged", "reason": "by step 5"}
     if gained is not None:
-        ledger = {"terms": {"friction dissipation": -2.0 * gained}, "unaccounted": 0.0, "peak": 2.0,
-                  "bound": 1e-9, "audits": {}}  # fmt: skip
+        terms = {"friction dissipation": -2.0 * gained, "numerical dissipation": 2.0 * gained}
+        ledger = {"terms": terms, "unaccounted": 0.0, "peak": 2.0, "bound": 1e-9, "audits": {}}
         changes = {"ledger": ledger, "quantities": [entry("pass", {"max": 1e-4})]}
     return record(f"dda/{scheme}", variant, 1e-3, case=case, modified=True, **changes)
 
