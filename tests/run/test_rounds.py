@@ -9,6 +9,7 @@ from typing import cast
 import pytest
 
 from vv.ask import Ask, Cost, Run, Status
+from vv.codes import timing
 from vv.codes.adapter import Adapter
 from vv.run import rounds
 from vv.run.process import Batch
@@ -111,3 +112,28 @@ def test_a_batch_whose_worker_died_is_told_beside_all_calibrations_since_it_bega
     found = session.timed(batches, units, late=[2])
     assert [one[:2] for one in session.visited[3:]] == [("b", (3,)), ("a", (1, 2))]
     assert [number for number, *_ in found] == [3, 4, 1, 2, 3, 1, 2]
+
+
+def test_what_ran_while_the_machine_was_slower_than_later_or_earlier_is_measured_again(
+    session: Session,
+) -> None:
+    """The least of all visits counts: b took place between calibrations of twice that."""
+    batches = {"a": {1: _ran(SURE)}, "b": {2: _ran(SURE)}, "c": {3: _ran(SURE)}}
+    session.timed(batches, [1.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0, 1.0])
+    assert [one[:2] for one in session.visited[3:]] == [("b", (2,))]
+
+
+@pytest.mark.parametrize(("repeats", "visits"), [(2, 2), (3, 1), (4, 1)])
+def test_three_repeats_are_enough(session: Session, repeats: int, visits: int) -> None:
+    cost = Cost(solve_cpu=12.0, repeats=repeats)
+    session.timed({"a": {1: _ran(cost)}}, [1.0] * (2 + visits))
+    assert len(session.visited) == visits
+
+
+def test_nothing_to_be_timed_takes_one_calibration_for_each_round(session: Session) -> None:
+    assert session.timed({}, [1.0, 1.0]) == []
+    assert session.visited == []
+
+
+def test_a_solve_is_repeated_for_forty_blocks_of_a_millisecond() -> None:
+    assert pytest.approx(40 * timing.BLOCK) == rounds.REPEAT
