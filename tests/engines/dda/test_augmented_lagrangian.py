@@ -152,6 +152,17 @@ def test_a_wedge_slides_down_the_narrowest_groove(xi: float) -> None:
     closes(done)
 
 
+@pytest.mark.parametrize("held", [1.47, 1.48])
+def test_a_wedge_that_friction_holds_stays_in_the_narrowest_groove(held: float) -> None:
+    """A pass that did not converge was taken for one that rounding limits, with its forces."""
+    done = run(wedge(1e-6, 30.0, held, Knobs(1e-2, 1e9)), BORNE)
+    rounded = EPS / 1e-6**2  # the force on a side is rounded so, over the weight
+    assert np.abs(moved(done)).max() <= rounded * 0.5 * G * done.times[-1] ** 2
+    assert done.ledger is not None
+    excess, allowed = done.ledger.audits["Coulomb: friction beyond mu N [N]"]
+    assert excess <= allowed
+
+
 def test_a_wedge_that_friction_all_but_holds_begins_to_slide_as_it_should() -> None:
     """Its first slips are 1e-11 m; friction across them would hold it."""
     near = {**SHAKEN_WEDGE.defaults("level"), "dip": 33.2, "xi": 1.18, "A": 1.92, "duration": 0.3}

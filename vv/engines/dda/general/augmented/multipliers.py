@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.dda.general.bodies import Bodies, Motion
-from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.contact import States, Touch, restore_states, states_of
 from vv.engines.dda.general.energy import (
     CREATED,
     DEEPEST,
@@ -20,7 +20,7 @@ from vv.engines.dda.general.energy import (
     NUMERICAL,
     add_force,
 )
-from vv.engines.dda.general.iterate import inertia_stiffness, iterate
+from vv.engines.dda.general.iterate import inertia_stiffness, iterate, trial_of
 from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM, HELD, PATIENT, SLOW, STUCK
@@ -117,6 +117,14 @@ def restart_sticking(touch: Touch) -> None:
         put(touch.spring, k, NOWHERE)
 
 
+@lent
+def go_back(touch: Touch, kept: States, work: Work, u: Vector) -> None:
+    """Set contacts and the unknowns `work.u` to what they were before a pass."""
+    restore_states(touch, kept)
+    for a in range(len(u)):
+        work.u[a] = u[a]
+
+
 @called
 def iterate_multipliers(
     touch: Touch, work: Work, setting: Setting, motion: Motion, part: Part
@@ -126,31 +134,36 @@ def iterate_multipliers(
     The stiffnesses of springs are first raised above the inertia of contacts, and again after
     passes that leave more than SLOW of the forces, unless the rest is rounding and friction has
     rotated with the slip. A pass that does not converge is repeated once with all contacts
-    sticking. The normal forces in touch become the multipliers, and its springs the tangential
-    multipliers over ks.
+    sticking; where it follows one that left rounding alone, that one is the solution. The normal
+    forces in touch become the multipliers, and its springs the tangential multipliers over ks.
     """
     most, kn, ks = setting.choices.multipliers, setting.law.kn, setting.law.ks
     gap, firm = same_numbers(touch.gap, len(touch.key)), kn
     for light in inertia_stiffness(touch, touch.state, setting.bodies, part.length, part.weight):
         firm = larger(firm, FIRM * light)
     times, passes, solved, before, ended, anew = firm / kn, 0, 0, np.inf, False, False
-    blur = gap_rounding(motion)
+    blur, last = gap_rounding(motion), trial_of(touch, work.moved)
     shorten_springs(touch, gap, firm, times)
     while True:
         law = Law(firm, ks * times, setting.law.mu, setting.law.hold)
+        kept, u = states_of(touch), same_numbers(work.u, len(work.u))
         still, more, trial = iterate(touch, work, setting, motion, law, part)
         solved, passes = solved + more, passes + 1
         force, off, turns = take_over_forces(touch, trial, gap, law)
-        slow = off > SLOW * before
-        stuck = off > STUCK * before and off <= firm * blur
-        ended = off <= HELD * force or (stuck and (not turns or passes >= PATIENT))
+        slow, close = off > SLOW * before, off <= HELD * force
+        undone = not still and before <= firm * blur
+        stuck = undone or (still and STUCK * before < off <= firm * blur)
+        ended = close or (stuck and (not turns or passes >= PATIENT))
+        if ended and undone and not close:
+            go_back(touch, kept, work, u)
+            trial = last
         if ended or passes >= most or (anew and not still):
             break
         if not still:
             restart_sticking(touch)
             anew = True
         grow = 10.0 if slow and (turns or off > firm * blur) else 1.0
-        before, firm, times = off, firm * grow, times * grow
+        before, firm, times, last = off if still else np.inf, firm * grow, times * grow, trial
         shorten_springs(touch, gap, firm, grow)
     shorten_springs(touch, gap, np.inf, 1.0 / times)
     return ended, solved, trial
