@@ -44,6 +44,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     block = block_of(int(variant.partition("-")[0]), p["d"])
     duration = BEYOND * _strain_at_sliding(p) / abs(p["rate"])
     counted = variant.endswith("counted")
+    own = p == CASE.defaults(variant)
     (tops,) = on_tops(block)[:1]
     watched: tuple[Observable, ...] = () if counted else tuple(tops)
     energies = (Form.BROKEN_NORMAL,) if counted else ()
@@ -51,8 +52,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     study = Ladder(specimen(p, block, (1.0,)), goal, watched, LEVELS, energies=energies)
     histories = functools.cache(functools.partial(_histories, p, block))
     if counted:
-        return Trial(study, _counts(p, block, histories))
-    own = p == CASE.defaults(variant)
+        return Trial(study, _counts(p, block, histories, own))
     return Trial(study, _stresses(_Pressed(p, block, histories, tops), own))
 
 
@@ -78,9 +78,15 @@ def _element(p: Parameters) -> Element:
 
 
 def _counts(
-    p: Parameters, block: Lattice, histories: Callable[[], tuple[lattice_failure.History, ...]]
+    p: Parameters,
+    block: Lattice,
+    histories: Callable[[], tuple[lattice_failure.History, ...]],
+    own: bool,
 ) -> tuple[Quantity, ...]:
-    """The number of open bonds, from the heat of their normal springs, kn xb^2/2 each."""
+    """The number of open bonds, from the heat of their normal springs, kn xb^2/2 each.
+
+    own: as of `_stresses`.
+    """
     level = int((np.ptp(block.position[block.bonds][:, :, 2], axis=1) < 0.1 * p["d"]).sum())
 
     def opened(run: Run) -> Vector:
@@ -108,7 +114,8 @@ def _counts(
                half, half_due, half_due, Shown(TIED)),
         Scalar("half beyond", "d e_half", "", "difference of that strain from the nearest slow "
                "history",
-               outside, 0.0, half_due, landmark_bounds(p, block, _apart(p))),
+               outside, 0.0, half_due,
+               landmark_bounds(p, block, _apart(p), 0.0 if own else EARLY)),
     )  # fmt: skip
 
 
@@ -212,7 +219,8 @@ class _Pressed:
 def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
     """The pressure over time, and its landmarks A3, A1 and A2 of Fig. 5.
 
-    own: the parameters are the case's, at which no wave lets bonds slide.
+    own: the parameters are the case's, at which no wave lets bonds slide, and waves open bonds of
+    the block of 82 elements hardly too early.
     """
     p, block, one = pressed.p, pressed.block, pressed
     printed = lattice_material.opening_strength(p["kn"], p["ks"], p["xb"], p["d"])
@@ -228,7 +236,8 @@ def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
         Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall", one.top,
                one.largest, one.largest, Shown(TIED)),
         Scalar("A1 beyond", "d sigma(A1)", "Pa", "difference of A1 from the nearest slow history",
-               one.outside, 0.0, one.largest, landmark_bounds(p, block, _apart(p))),
+               one.outside, 0.0, one.largest,
+               landmark_bounds(p, block, _apart(p), 0.0 if own else EARLY)),
         Scalar("E after", "E'", "Pa", "slope of the pressure with all level bonds "
                "open", one.after, one.softer,
                one.softer, slope_bounds(p) if own or not one.waves_slide() else Shown(SLID)),

@@ -85,6 +85,8 @@ RIGHT = {
     "close-packed-path:in-82 gamma=0.8": "dem/default",
     "close-packed-failure:82 kn=6.47e7 ks=1.05e7 xb=1.85e-7 fs0=11.2 mu_p=0.508 d=0.00125 "
     "m=1.96e-6 rate=-1.37": "dem/default",
+    "close-packed-failure:82 kn=6.17e7 ks=9.68e6 xb=2e-7 fs0=19 mu_p=0.424 d=8.77e-4 m=1.59e-6 "
+    "rate=-1.11": "dem/default",
     "close-packed-failure:82 ks=5.29e6": "dem/default",
     "close-packed-failure:82 fs0=38.8 d=0.00108": "dem/default",
     "packing:seed-1 m=0.0035 kn=7.86e4 g=5.17": "dem/default",

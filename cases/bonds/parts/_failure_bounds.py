@@ -33,17 +33,22 @@ def history_bounds(p: Parameters, block: Lattice, early: float) -> Exact:
     )
 
 
-def landmark_bounds(p: Parameters, block: Lattice, apart: float) -> Exact:
-    """apart: the strain between two outputs."""
+def landmark_bounds(p: Parameters, block: Lattice, apart: float, early: float = 0.0) -> Exact:
+    """apart: the strain between two outputs; early: the part of its strain by which a wave may
+    open a bond too early, and lower the landmark.
+    """
     springs = {name: p[name] for name in ("kn", "ks", "d")}
     opens = lattice_material.opening_strength(xb=p["xb"], **springs)
     first = FIRST * opens / lattice_material.youngs_modulus(**springs)
     pace = max(1.0, _pace(p))
     return bounds(
-        min(LARGEST_TOLERANCE, max(_waves(block, 6e-3) * pace, apart / first + 1.8e-3 * pace)),
+        min(
+            LARGEST_TOLERANCE,
+            max(max(early, _waves(block, 6e-3)) * pace, apart / first + 1.8e-3 * pace),
+        ),
         "an output may precede an opening by the strain between outputs, over that of the first "
         "opening, 0.6 of that by Eq. 8; viscosity adds a thousandth at a rate of 1/s; "
-        f"{WAVES}; {PACED}",
+        f"{WAVES}{SOFTER if early else ''}; {PACED}",
         slack="how soon an output follows an opening is chance",
     )
 
