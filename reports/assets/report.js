@@ -75,12 +75,12 @@
   });
 
   // Tables sort by a click on a heading; by data-s where a cell has it. A number may have a unit
-  // of time, or "of 12", behind it.
+  // of time, "of 12" or its spread behind it.
   const units = { "µs": 1e-6, ms: 1e-3, s: 1, min: 60 };
   const key = (cell) => {
     const text = cell.dataset.s ?? cell.textContent.trim();
     if (text === "" || text === "–") return null;
-    const found = /^(-?[\d.]+(?:e[-+]?\d+)?)(?: (µs|ms|s|min|of \d+))?(?: [○◻])*$/.exec(text);
+    const found = /^(-?[\d.]+(?:e[-+]?\d+)?)(?: (µs|ms|s|min|of \d+|± [\d.]+))?(?: [○◻])*$/.exec(text);
     return found ? Number(found[1]) * (units[found[2]] ?? 1) : text;
   };
   const sort = (table, column, up) => {

@@ -132,21 +132,3 @@ def test_the_theme_is_turned_and_kept(front: Path, tmp_path: Path) -> None:
     said = noted(front, script, tmp_path)
     assert said["before"] is None
     assert said["after"] == [["dark", "dark"], ["light", "light"]]
-
-
-def test_costs_of_schemes_are_sorted_by_their_seconds(front: Path, tmp_path: Path) -> None:
-    """Of T2: 800 ms, 1.2 s and 4 ms."""
-    script = """
-      const table = [...document.querySelectorAll("table.ranking")].at(1);
-      const names = [...table.tHead.rows[0].cells].map((cell) => cell.textContent.trim());
-      const column = names.findIndex((name) => name.startsWith("CPU"));
-      const cell = (row) => row.cells[column].textContent.trim();
-      const told = () => [...table.tBodies[0].rows].map(cell);
-      table.tHead.rows[0].cells[column].click();
-      said.up = told();
-      table.tHead.rows[0].cells[column].click();
-      said.down = told();
-    """
-    said = noted(front.with_name("case-bounce.html"), script, tmp_path)
-    assert said["up"] == ["4 ms", "800 ms", "1.2 s"]
-    assert said["down"] == ["1.2 s", "800 ms", "4 ms"]
