@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import ast
 import inspect
+import shutil
+import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -46,12 +49,20 @@ def test_choices_in_kernels_of_every_kind_are_made_as_in_kernels() -> None:
     assert {name for name, one in kinds if one.__annotations__ == made} == set(KERNEL)
 
 
+def check_syntax(text: str, suffix: str) -> None:
+    """Raise an error where a text is no program; one of a page is parsed where node is there."""
+    if suffix == ".py":
+        ast.parse(text)
+    elif node := shutil.which("node"):
+        subprocess.run([node, "--check", "-"], input=text, text=True, check=True)
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_seeded_bug_is_found_in_its_file_and_leaves_a_program(kind: str) -> None:
     assert len(KINDS[kind]) >= 16
     for bug in KINDS[kind]:
         text = changed(bug)
-        ast.parse(text)
+        check_syntax(text, Path(bug.file).suffix)
         assert text != (ROOT / bug.file).read_text(), bug.what
         assert bug.code or bug.tests, bug.what
         for one in bug.tests.split():

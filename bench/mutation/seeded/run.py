@@ -50,4 +50,9 @@ BUGS = (
     Bug('variants of higher levels run at any', 'vv/plan/planning.py', 'if case.variant(variant).runs_at(options.level)', 'if True', tests='tests/plan/test_planning.py'),
     Bug('an export is of the coarsest setting', 'vv/plan/planning.py', 'posed.ask(posed.rungs[-1])', 'posed.ask(posed.rungs[0])', tests='tests/plan/test_planning.py'),
     Bug('what is inert is named though it is unchanged', 'vv/plan/planning.py', 'n in inert and value != usual[n]', 'n in inert', tests='tests/plan/test_planning.py'),
+    Bug('an invocation known without its machine', 'vv/run/reuse.py', '        machine(),\n', '', tests='tests/run/test_identity.py'),
+    Bug('a limit of time that runs on after its end', 'vv/base/time_limit.py', '        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)\n', '', tests='tests/base/test_time_limit.py'),
+    Bug('what a program started outlives it', 'vv/codes/external.py', 'end_with_descendants(program.process.pid)', 'program.process.kill()', tests='tests/codes/started/test_starts_and_ends.py'),
+    Bug('work of the system is not counted to a program', 'vv/codes/program/process.py', 'used.ru_utime + used.ru_stime', 'used.ru_utime', tests='tests/codes/started/test_asked_programs.py'),
+    Bug('helpers end by Ctrl-C before their parent', 'vv/base/parallel.py', '    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends it\n', '', tests='tests/base/test_parallel.py'),
 )  # fmt: skip

@@ -111,4 +111,9 @@ BUGS = (
     Bug('every figure of errors is said to be of the largest', 'reports/drawing/gallery.py', 'NORM_NAMES[norm]', 'NORM_NAMES[Norm.MAX]', tests='tests/reports/drawing/test_captions.py'),
     Bug('a page of a case shows the values of its first variant', 'vv/output/gallery/case_page.py', 'self.case.defaults(name)', 'self.case.defaults(self.case.variants[0].name)', tests='tests/output/gallery/test_case_page.py'),
     Bug('a page of a code lists what it has as what it lacks', 'vv/output/gallery/code_page.py', 'if term not in scheme.terms)', 'if term in scheme.terms)', tests='tests/output/gallery/test_code_page.py'),
+    Bug('hidden codes decide what all have in common', 'reports/assets/report.js', 'able.size && able.size === who.size', 'able.size', tests='tests/reports/script/test_recomputed.py'),
+    Bug('a body that is played turns from nothing, not from its start', 'reports/assets/report.js', 'a + turn * turned', 'a + turn * (place ?? 0)', tests='tests/reports/script/test_played_by_hand.py'),
+    Bug('a column of orders is sorted as words', 'reports/assets/report.js', r'|± [\d.]+))?', '))?', tests='tests/reports/script/test_sorted.py'),
+    Bug('a chart that is zoomed into has milliseconds for seconds', 'reports/assets/zoom.js', 'Number(found[1]) * UNITS[found[2]]', 'Number(found[1])', tests='tests/reports/script/test_pointing.py'),
+    Bug('what is no number is written into JSON', 'vv/output/export.py', 'float(v) if np.isfinite(v) else None for v in y', 'float(v) for v in y', tests='tests/output/test_document.py'),
 )  # fmt: skip

@@ -80,6 +80,8 @@ def test_the_nearest_point_within_reach_is_told_and_others_fade_until_the_chart_
         g.dataset.k ?? document.getElementById(g.classList[0]).dataset.k);
       const off = [[0, 13], [0, -13], [13, 0], [0, 15], [11, 11]];
       said.told = off.map(([dx, dy]) => move(svg, x + dx, y + dy));
+      const [[u, low], [, high]] = [paths[0], paths[2]].map((path) => spots(path)[2]);
+      said.between = [0.45, 0.55].map((part) => move(svg, u, low + part * (high - low)));
       move(svg, x, y);
       said.faint = [...new Set(faint())];
       const out = (relatedTarget) => svg.dispatchEvent(
@@ -93,6 +95,8 @@ def test_the_nearest_point_within_reach_is_told_and_others_fade_until_the_chart_
     said = seen(page, script, tmp_path)
     own = "cc/one: dt 1e-3 s: error 2.00e-2"
     assert said["told"] == [own, own, own, None, None]
+    due = ["aa/one: dt 1e-3 s: error 1.00e-4", "bb/one: dt 1e-3 s: error 2.00e-4"]
+    assert said["between"] == due, "both are within reach"
     assert sorted(said["faint"]) == ["aa/one", "aa/two", "bb/one"]
     assert said["inside"] == [False, True]
     assert said["left"] == [True, 0]
