@@ -77,6 +77,7 @@ def test_a_parameter_that_leaves_no_answer_is_refused(
         ("tumbling:corner w=1.22", "at 0.0939 m/s, slower than the centre, 0.2 m/s"),
         ("incline:gravity-5 phi=-5", "phi = -5.0 deg; a friction angle must be from 0"),
         ("incline:gravity-5 phi=95", "phi = 95.0 deg; a friction angle must be from 0"),
+        ("wedge:xi-1 held=1", "held = 1.0; it must differ from 1, where rounding decides"),
         ("single-contact:T2 eta=2e12", "eta = 2000000000000.0 N s/m; .* N s/m, critical damping"),
         ("single-contact:T3 eta=2e12", r"N s/m, 0\.9239 of critical damping"),
     ],
