@@ -197,9 +197,9 @@ part of the velocity that friction gains in a step: the third number times the s
 step to the time in which the forces change, and at most the fourth. So the method is of second
 order, and steps in which slip is not about to stop are not divided."""
 
-LOITERS, BRISK = 6.0, 0.06
+LOITERS, BRISK = VEERED**-0.5, 0.06
 """Over the velocity that friction gives in a step: slower slip that turns (VEERED) takes half a
-step in the general model; and the part of a step that is halved no further. With 2.0 two plates
-dragged in turning directions were 5e-6 off at 1e-4 s, with 6.0 at most 2.4e-6, of 3.8e-6 that the
-square of the step allows. Parts of 1/32 follow slip that slows down to 1e-3 m/s at 1e-3 s.
+step in the general model; and the part of a step that is halved no further. Slip of L times that
+velocity is turned by friction by 1/L in a step at most, and L is such that this is the angle of
+VEERED. Parts of 1/32 follow slip that slows down to 1e-3 m/s at 1e-3 s.
 """
