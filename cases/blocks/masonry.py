@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -165,13 +166,27 @@ def _sliding_bounds(p: Parameters) -> Exact:
     if _leans(p):
         return Exact(judged, not_judged={**shown, Method.PENALTY: EXCITED})
     penalty = Tolerance(
-        min(LARGEST_TOLERANCE, 2.5e-3 * p["courses"] * max(1.0, p["duration"] / 0.5)),
-        "a wall of n courses on springs sways with the frequency w/n, w^2 = kn/m, and lags by "
-        "fractions of n/w; while it slides, courses walk on one another at a steady speed; and "
-        + whole,
+        min(LARGEST_TOLERANCE, _walk(p)),
+        "a block on its springs vibrates with the frequency w, w^2 = kn/m; at Coulomb's limit with "
+        "the amplitude mu m g/kn, so that a course walks on the next at up to mu g/w, and the "
+        "highest of n courses at n times that, for the whole duration; and " + whole,
         kn=1e9, softness=0.5, late=10.0 * turns,
+        slack="courses walk at half of that speed, and not always",
     )  # fmt: skip
     return Exact({**judged, Method.PENALTY: penalty}, not_judged=shown)
+
+
+def _walk(p: Parameters) -> float:
+    """How far the highest course may walk on springs of 1e9 N/m, over the largest displacement."""
+    w = math.sqrt(1e9 / (LENGTH * HEIGHT * 2 * DEEP * DENSITY))
+    moved = np.abs(_slid(np.linspace(0.0, p["duration"], 11), p)).max()
+    return float(p["courses"] * p["mu"] * p["g"] / w * p["duration"] / (moved or 2 * p["D"]))
+
+
+def _slid(t: Vector, p: Parameters) -> Vector:
+    """The displacement [m] of a block that slides on the base, along it."""
+    moved = responding_block.one_direction(t, D=p["D"], f=p["f"], mu=p["mu"], g=p["g"])
+    return np.asarray(moved - responding_block.base(t, D=p["D"], f=p["f"]))
 
 
 def _leans(p: Parameters) -> bool:
@@ -188,15 +203,12 @@ def _leans(p: Parameters) -> bool:
 
 def _sliding_wall(moving: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, ...]:
     """For a wall without an arch: all of it slides on the bedstone as a single block does."""
-
-    def reference(t: Vector) -> Vector:
-        moved = responding_block.one_direction(t, D=p["D"], f=p["f"], mu=p["mu"], g=p["g"])
-        return np.asarray(moved - responding_block.base(t, D=p["D"], f=p["f"]))
+    bounds = _sliding_bounds(p)
 
     def slid(name: str, what: str, body: Displacement) -> Quantity:
         return Series(
             name, "u", "m", f"displacement along the base of the {what}",
-            ComponentAlong(body, X), reference, _sliding_bounds(p), still=2 * p["D"],
+            ComponentAlong(body, X), functools.partial(_slid, p=p), bounds, still=2 * p["D"],
         )  # fmt: skip
 
     return (

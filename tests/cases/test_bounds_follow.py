@@ -89,6 +89,10 @@ RIGHT = {
     "rate=-1.11": "dem/default",
     "close-packed-failure:82 ks=5.29e6": "dem/default",
     "close-packed-failure:82 fs0=38.8 d=0.00108": "dem/default",
+    "masonry:slides columns=8 courses=7 mu=0.209 D=0.0572 f=1.54 g=11 duration=0.528": (
+        "dda/default"
+    ),
+    "masonry:slides D=0.03": "dda/default",
     "wedge:xi-1 dip=36.5 xi=0.71 held=0.622 g=9.68": "rigid/default",
     "packing:seed-1 m=0.0035 kn=7.86e4 g=5.17": "dem/default",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
