@@ -17,6 +17,9 @@ from vv.plan.planning import make_plan
 from vv.plan.project import find
 from vv.records.accepted import AcceptedQuantity, Baseline
 from vv.records.job_record import Record
+from vv.scene import Vector
+
+PLACE = 1e-10  # faces stay flat enough for a block
 
 
 def kept(
@@ -89,6 +92,49 @@ def test_a_result_that_stays_keeps_the_larger_of_its_movements_by_rounding() -> 
     assert {result.by for result in replaced.results.values()} == {"2"}
 
 
+def stands(*counts: float, worst: float = 1e-4, **changes: object) -> Record:
+    """A run with counts of blocks that stand, at angles, and the worst error."""
+    some = [entry("pass", {"max": worst}, scale=1.0, figures={"value": worst}, name="worst")]
+    for angle, count in zip((5, 60.5, 71), counts, strict=True):
+        figures = {"value": count}
+        one = entry("pass", {}, scale=2.0, figures=figures, name=f"psi={angle:g}", kind="count")
+        some.append(one)
+    return changed(ran(), quantities=some, **changes)
+
+
+def test_where_rounding_decides_a_count_all_settings_of_the_scheme_move_alike() -> None:
+    """Numbers in names do not count: another platform may decide another place."""
+    rungs = [{"dt": dt, "kn": None} for dt in (2e-3, 1e-3)]
+    given = [stands(0, 1, 2, rung=rung) for rung in rungs]
+    other = stands(0, 1, 2, scheme="published")
+    moved = [stands(0, 0, 2, worst=3e-4, rung=rungs[0]), given[1], other]
+    found = acceptance.accepted("bounce", None, [*given, other], ACCEPTANCE, (), (), moved)
+    alike = {"psi=5": 0.5, "psi=60.5": 0.5, "psi=71": 0.5, "worst": 2e-4}
+    for name, result in found.results.items():
+        due = dict.fromkeys(alike) if "published" in name else alike
+        assert {key: one.rounding for key, one in result.quantities.items()} == pytest.approx(due)
+
+
+def test_where_no_count_moves_each_setting_has_its_own_movement() -> None:
+    rungs = [{"dt": dt, "kn": None} for dt in (2e-3, 1e-3)]
+    given = [stands(0, 1, 2, rung=rung) for rung in rungs]
+    moved = [stands(0, 1, 2, worst=3e-4, rung=rungs[0]), given[1]]
+    found = acceptance.accepted("bounce", None, given, ACCEPTANCE, (), (), moved)
+    worst = [result.quantities["worst"].rounding for result in found.results.values()]
+    assert worst == [pytest.approx(2e-4), None]
+
+
+def test_what_is_lost_in_a_nudged_run_widens_no_other_setting() -> None:
+    rungs = [{"dt": dt, "kn": None} for dt in (2e-3, 1e-3)]
+    given = [stands(0, 1, 2, rung=rung) for rung in rungs]
+    moved = [changed(given[0], quantities=[]), stands(0, 0, 2, rung=rungs[1])]
+    found = acceptance.accepted("bounce", None, given, ACCEPTANCE, (), (), moved)
+    lost, kept_one = found.results.values()
+    assert {one.rounding for one in lost.quantities.values()} == {LARGE}
+    assert kept_one.quantities["psi=5"].rounding == 0.5
+    assert kept_one.quantities["worst"].rounding is None
+
+
 def test_of_several_runs_the_one_that_moved_farthest_counts() -> None:
     assert roundings(kept(ran(1e-4), ran(1.1e-4), ran(1.4e-4), ran(1.2e-4))) == {4e-5}
 
@@ -96,7 +142,7 @@ def test_of_several_runs_the_one_that_moved_farthest_counts() -> None:
 def test_nudged_jobs_differ_in_last_digits_alone() -> None:
     options = Options(codes=("exact", "dem"))
     plan = make_plan(find(), ("responding-block:1d", "bounce:floor"), options)
-    nudge = Nudge(0.5, 0.25, 0.125)
+    nudge = Nudge(0.5, 0.25, PLACE)
     nudged = nudged_plan(plan, nudge)
     assert len(nudged.jobs) == len(plan.jobs) > 2
     for job, other in zip(plan.jobs, nudged.jobs, strict=True):
@@ -106,18 +152,27 @@ def test_nudged_jobs_differ_in_last_digits_alone() -> None:
         for one, heavier in zip(was.blocks, now.blocks, strict=True):
             assert heavier.mass == 1.5 * one.mass
             np.testing.assert_array_equal(heavier.inertia, 1.5 * one.inertia)
-            np.testing.assert_array_equal(heavier.vertices, 1.125 * one.vertices)
+            check_moved(one.vertices, heavier.vertices)
             np.testing.assert_array_equal(heavier.velocity, one.velocity)
         for wall, moved in zip(was.walls, now.walls, strict=True):
-            np.testing.assert_array_equal(moved.point, 1.125 * wall.point)
+            check_moved(wall.point, moved.point)
         np.testing.assert_array_equal(now.spheres.mass, 1.5 * was.spheres.mass)
         np.testing.assert_array_equal(now.spheres.inertia, 1.5 * was.spheres.inertia)
-        np.testing.assert_array_equal(now.spheres.position, 1.125 * was.spheres.position)
+        check_moved(was.spheres.position, now.spheres.position)
         np.testing.assert_array_equal(now.spheres.radius, was.spheres.radius)
 
 
+def check_moved(was: Vector, now: Vector) -> None:
+    """Whether each coordinate that is not zero has moved by a share of its own, at most PLACE."""
+    shares = (now / np.where(was == 0.0, 1.0, was) - 1.0)[was != 0.0]
+    assert np.abs(shares).max(initial=0.0) <= PLACE
+    assert len(set(shares.tolist())) == len(shares)
+    np.testing.assert_array_equal(now[was == 0.0], 0.0)
+
+
 def test_nudges_change_masses_gravity_and_positions_by_few_of_the_smallest_steps() -> None:
-    for name in ("mass", "gravity", "position"):
+    assert len({nudge.seed for nudge in NUDGES}) == len(NUDGES)
+    for name in ("mass", "gravity", "place"):
         sizes = [abs(getattr(nudge, name)) / np.finfo(float).eps for nudge in NUDGES]
         assert 1.0 < max(sizes) <= 16.0
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable
 
 from vv.ask import Status
-from vv.gate.bands import EVERY_STEP, Band, band_of, rounding_of
+from vv.gate.bands import band_of, shared, with_rounding, with_wider_rounding
 from vv.gate.baseline import name_of, result_of
 from vv.gate.regression import within_bands
 from vv.records.accepted import Acceptance, AcceptedResult, Baseline
 from vv.records.job_record import Record
-from vv.records.outcomes import Verdict
+from vv.records.outcomes import QuantityKind, Verdict
 from vv.records.reading import ran
 
 GOOD = (Verdict.PASS, Verdict.XFAIL, Verdict.NO_REFERENCE)
@@ -54,8 +54,9 @@ def accepted(
         again.setdefault(name_of(record), []).append(result_of(record, number))
     for record in filter(acceptable, given):
         name, now = name_of(record), result_of(record, number)
-        now = _with_rounding(now, again.get(name, []), band_of(record.code, external))
+        now = with_rounding(now, again.get(name, []), band_of(record.code, external))
         results[name] = _accepted_result(old.results.get(name), now, record, external)
+    results = shared(results, _counts_of(given))
     used = {result.by for result in results.values()}
     given_by = {**old.acceptances, number: acceptance}
     variants = {name.split(" ")[0] for name in results}
@@ -68,46 +69,23 @@ def accepted(
     )
 
 
+def _counts_of(records: Iterable[Record]) -> set[tuple[str, str]]:
+    """The results and quantities that are whole numbers."""
+    return {
+        (name_of(record), one.name)
+        for record in records
+        for one in record.quantities
+        if one.kind is QuantityKind.COUNT
+    }
+
+
 def _accepted_result(
     before: AcceptedResult | None, now: AcceptedResult, record: Record, external: Collection[str]
 ) -> AcceptedResult:
     """The accepted result if the record is within its band, else that of the record, `now`."""
     if before is None:
         return now
-    kept = _with_wider_rounding(before, now)
+    kept = with_wider_rounding(before, now)
     cost = now.cost or before.cost
     same = within_bands(kept, record, external) and before.cost == cost
     return kept if same else dataclasses.replace(now, cost=cost)
-
-
-def _with_rounding(
-    now: AcceptedResult, again: Sequence[AcceptedResult], band: Band
-) -> AcceptedResult:
-    """A result with the largest movements by rounding, where they may widen a band."""
-    moved = {
-        name: max((rounding_of(one, other.quantities.get(name)) for other in again), default=0.0)
-        for name, one in now.quantities.items()
-    }
-    return _rounded(now, {n: r for n, r in moved.items() if EVERY_STEP * r > band.width})
-
-
-def _with_wider_rounding(before: AcceptedResult, now: AcceptedResult) -> AcceptedResult:
-    """An accepted result with the larger of its own movements by rounding and those of `now`."""
-    larger = {}
-    for name, one in before.quantities.items():
-        new = now.quantities.get(name)
-        known = [each.rounding for each in (one, new) if each and each.rounding is not None]
-        if known:
-            larger[name] = max(known)
-    return _rounded(before, larger)
-
-
-def _rounded(result: AcceptedResult, roundings: Mapping[str, float]) -> AcceptedResult:
-    """A result with these movements by rounding, to two digits."""
-    quantities = {
-        name: dataclasses.replace(
-            one, rounding=float(f"{roundings[name]:.2g}") if name in roundings else None
-        )
-        for name, one in result.quantities.items()
-    }
-    return dataclasses.replace(result, quantities=quantities)

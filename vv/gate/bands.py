@@ -9,13 +9,16 @@ is stored with the result, and the band is a multiple of it.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import dataclasses
+import re
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from vv.records.accepted import AcceptedQuantity
+from vv.records.accepted import AcceptedQuantity, AcceptedResult
 from vv.records.quantity import MeasuredQuantity
 
 LARGE = 1e99  # stands for an infinite change
+NUMBERS = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?")
 EVERY_STEP = 10.0  # bands over what one change moved: a platform rounds otherwise in every step
 
 
@@ -71,3 +74,82 @@ def size_of(then: AcceptedQuantity) -> float:
     """The largest figure over the scale that was accepted."""
     figures = [abs(value) for value in then.figures.values() if value is not None]
     return max(figures, default=0.0) / (then.scale or 1.0)
+
+
+def with_rounding(
+    now: AcceptedResult, again: Sequence[AcceptedResult], band: Band
+) -> AcceptedResult:
+    """A result with the largest movements by rounding, where they may widen a band."""
+    moved = {
+        name: max((rounding_of(one, other.quantities.get(name)) for other in again), default=0.0)
+        for name, one in now.quantities.items()
+    }
+    return _rounded(now, {n: r for n, r in moved.items() if EVERY_STEP * r > band.width})
+
+
+def with_wider_rounding(before: AcceptedResult, now: AcceptedResult) -> AcceptedResult:
+    """An accepted result with the larger of its own movements by rounding and those of `now`."""
+    larger = {}
+    for name, one in before.quantities.items():
+        new = now.quantities.get(name)
+        known = [each.rounding for each in (one, new) if each and each.rounding is not None]
+        if known:
+            larger[name] = max(known)
+    return _rounded(before, larger)
+
+
+def _rounded(result: AcceptedResult, roundings: Mapping[str, float]) -> AcceptedResult:
+    """A result with these movements by rounding, to two digits."""
+    quantities = {
+        name: dataclasses.replace(
+            one, rounding=float(f"{roundings[name]:.2g}") if name in roundings else None
+        )
+        for name, one in result.quantities.items()
+    }
+    return dataclasses.replace(result, quantities=quantities)
+
+
+def shared(
+    results: Mapping[str, AcceptedResult], counts: Collection[tuple[str, str]]
+) -> dict[str, AcceptedResult]:
+    """The results of a case; where rounding decides a count, all of the scheme move alike.
+
+    counts: the results and quantities that are whole numbers. A few changed digits find a few of
+    the settings at which a block slides or topples by rounding alone; another platform may find
+    others. So the quantities of such a scheme that have the same name, numbers in it aside, share
+    the largest movement that was found for any of them.
+    """
+    jumping = {
+        _scheme(name)
+        for name, quantity in counts
+        if name in results and results[name].quantities[quantity].rounding is not None
+    }
+    largest: dict[tuple[str, str], float] = {}
+    for name, result in results.items():
+        for quantity, one in result.quantities.items():
+            key = _scheme(name), NUMBERS.sub("", quantity)
+            if one.rounding is not None and one.rounding < LARGE:
+                largest[key] = max(one.rounding, largest.get(key, 0.0))
+    return {
+        name: _moved_alike(name, result, largest) if _scheme(name) in jumping else result
+        for name, result in results.items()
+    }
+
+
+def _moved_alike(
+    name: str, result: AcceptedResult, largest: Mapping[tuple[str, str], float]
+) -> AcceptedResult:
+    """A result with the movements that its scheme's quantities share."""
+    moved = {}
+    for quantity, one in result.quantities.items():
+        key = _scheme(name), NUMBERS.sub("", quantity)
+        if key in largest:
+            moved[quantity] = max(largest[key], one.rounding or 0.0)
+        elif one.rounding is not None:
+            moved[quantity] = one.rounding
+    return _rounded(result, moved)
+
+
+def _scheme(name: str) -> str:
+    """The code and scheme in the name of a result."""
+    return name.split(" ")[1]

@@ -30,8 +30,9 @@ class KnownBreach:
     largest breach of a law in J at parameters other than those of the case, over the largest energy
     stored, or over the energy turned over if a dissipation is negative; a run that diverged there
     has created energy, which the same entry knows. An entry without `breach` applies to such
-    parameters alone. expires: ISO date. Raises ValueError naming
-    the field, the value and the rule.
+    parameters alone, unless it has rounding: there rounding decides at the parameters of the case
+    too whether the law is broken, and `elsewhere` limits the breach. expires: ISO date. Raises
+    ValueError naming the field, the value and the rule.
     """
 
     code: str
@@ -45,12 +46,17 @@ class KnownBreach:
     expires: str
     breach: tuple[float, float] | None = None
     elsewhere: float | None = None
+    rounding: bool = False
 
     def __post_init__(self) -> None:
         low, high = self.breach or (self.elsewhere or 0.0,) * 2
         if not 0 < low <= high <= WIDEST * low:
             rule = f"a band must be positive and end within a factor of {WIDEST:g}"
             raise ValueError(f"breach = [{low:g}, {high:g}]; {rule}")
+        if self.rounding and self.breach:
+            raise ValueError(
+                "rounding = true; the breach is limited by `elsewhere` then, and no `breach` is given"
+            )
         if not self.reason.strip():
             raise ValueError("reason is empty; say why the law is broken")
         datetime.date.fromisoformat(self.expires)
@@ -59,6 +65,10 @@ class KnownBreach:
     def subject(self) -> tuple[Aspect, Bit, str]:
         """The check, the exit bit that it sets once it has expired, and its law."""
         return Aspect.CONSERVATION, Bit.CONSERVATION, self.law
+
+    def is_limited(self, record: Record) -> bool:
+        """Whether `elsewhere` limits a record's breach, rather than that the band must have it."""
+        return record.modified or self.rounding
 
     def covers(self, record: Record) -> bool:
         """Whether this entry applies to a record, with the parameters of the case or others."""
@@ -70,8 +80,8 @@ class KnownBreach:
         )
         several = ((record.variant, self.variants), (rung(record), self.rungs))
         return (
-            (ran(record) or (record.modified and record.status is Status.DIVERGED))
-            and (self.elsewhere if record.modified else self.breach) is not None
+            (ran(record) or (self.is_limited(record) and record.status is Status.DIVERGED))
+            and (self.elsewhere if self.is_limited(record) else self.breach) is not None
             and all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
             and all(any(fnmatch.fnmatchcase(n, glob) for glob in globs) for n, globs in several)
         )
@@ -81,7 +91,7 @@ class KnownBreach:
         law, seen, _ = breach
         if not fnmatch.fnmatchcase(law, self.law):
             return False
-        if not record.modified:
+        if not self.is_limited(record):
             low, high = self.breach or (0.0, 0.0)
             return low <= seen <= high
         if record.ledger is None or not ran(record):

@@ -4,27 +4,35 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from vv.plan.plan import Plan
-from vv.scene import Block, Scene, Wall
+from vv.scene import Block, Scene, Vector, Wall
 
 LAST = 2.0**-51  # of a number: one or two of the smallest steps to its neighbours
 
 
 @dataclass(frozen=True)
 class Nudge:
-    """Relative changes of all masses and moments of inertia, of gravity, and of all positions."""
+    """Relative changes of all masses and moments of inertia, of gravity, and of positions.
+
+    place: the largest change of a coordinate. Each coordinate has its own, drawn from the seed:
+    where two sides of a symmetric scene balance, only a change that differs between them decides.
+    """
 
     mass: float
     gravity: float
-    position: float
+    place: float
+    seed: int = 0
 
 
 NUDGES = (
     Nudge(8 * LAST, 8 * LAST, 0.0),
-    Nudge(LAST, -LAST, 2 * LAST),
-    Nudge(-LAST, LAST, -3 * LAST),
-    Nudge(2 * LAST, LAST, LAST),
+    Nudge(LAST, -LAST, 2 * LAST, 1),
+    Nudge(-LAST, LAST, 2 * LAST, 2),
+    Nudge(2 * LAST, LAST, 2 * LAST, 3),
 )
 
 
@@ -42,14 +50,23 @@ def nudged_plan(plan: Plan, nudge: Nudge) -> Plan:
 
 def nudged_scene(scene: Scene, nudge: Nudge) -> Scene:
     """The scene with masses, gravity and positions changed by a nudge."""
-    changed = []
+    chance, changed = np.random.default_rng(nudge.seed), []
     for group in scene.bodies:
+        new: dict[str, Any]
         if isinstance(group, Wall):
-            factors = {"point": 1 + nudge.position}
+            new = {"point": _moved(group.point, nudge.place, chance)}
         else:
-            place = "vertices" if isinstance(group, Block) else "position"
-            factors = {place: 1 + nudge.position, "mass": 1 + nudge.mass, "inertia": 1 + nudge.mass}
-        new = {name: factor * getattr(group, name) for name, factor in factors.items()}
+            name = "vertices" if isinstance(group, Block) else "position"
+            heavier = 1 + nudge.mass
+            new = {
+                name: _moved(getattr(group, name), nudge.place, chance),
+                "mass": heavier * group.mass,
+                "inertia": heavier * group.inertia,
+            }
         changed.append(dataclasses.replace(group, **new))
     gravity = (1 + nudge.gravity) * scene.gravity
     return dataclasses.replace(scene, bodies=tuple(changed), gravity=gravity)
+
+
+def _moved(places: Vector, size: float, chance: np.random.Generator) -> Vector:
+    return places * (1 + size * chance.uniform(-1.0, 1.0, np.shape(places)))

@@ -119,6 +119,29 @@ def test_at_other_parameters_a_known_breach_is_limited_by_the_energy_stored_or_t
     assert judged(one, **given) == (seen, red)
 
 
+@pytest.mark.parametrize(
+    ("one", "seen", "red"),
+    [
+        (created(2.9, modified=False), Outcome.XFAIL, False),
+        (created(3.1, modified=False), Outcome.NOT_CONSERVED, True),
+        (created(2.9), Outcome.XFAIL, False),
+        (created(0.0, modified=False), Outcome.PASS, False),  # on this platform it is kept
+        (broken(status=Status.DIVERGED, ledger=None), Outcome.BLOW_UP, False),
+        (broken(status=Status.ERROR, ledger=None), Outcome.ERROR, True),
+    ],
+)
+def test_where_rounding_decides_a_breach_is_limited_at_the_parameters_of_the_case_too(
+    one: Record, seen: Outcome, red: bool
+) -> None:
+    given = {"breach": None, "elsewhere": 3.0, "rounding": True, "law": "*", "rungs": ("*",)}
+    assert judged(one, **given) == (seen, red)
+
+
+def test_where_rounding_decides_there_is_a_limit_and_no_band() -> None:
+    with pytest.raises(ValueError, match="limited by `elsewhere` then, and no `breach` is given"):
+        KnownBreach(**{**KNOWN, "elsewhere": 3.0, "rounding": True})
+
+
 def test_a_law_that_is_kept_though_an_entry_says_it_is_broken_is_news() -> None:
     assert judged(broken(0.009)) == (Outcome.PASS, True)
     assert judged(broken(0.009), rungs=("dt=0.002",)) == (Outcome.PASS, False)
