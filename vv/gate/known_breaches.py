@@ -54,9 +54,8 @@ class KnownBreach:
             rule = f"a band must be positive and end within a factor of {WIDEST:g}"
             raise ValueError(f"breach = [{low:g}, {high:g}]; {rule}")
         if self.rounding and self.breach:
-            raise ValueError(
-                "rounding = true; the breach is limited by `elsewhere` then, and no `breach` is given"
-            )
+            rule = "the breach is limited by `elsewhere` then, and no `breach` is given"
+            raise ValueError(f"rounding = true; {rule}")
         if not self.reason.strip():
             raise ValueError("reason is empty; say why the law is broken")
         datetime.date.fromisoformat(self.expires)
