@@ -59,7 +59,7 @@ BUGS = (
     Bug("a value of the other sign has not moved", BANDS, "[abs(a - b) for a, b in pairs", "[abs(abs(a) - abs(b)) for a, b in pairs", tests="tests/gate/test_decisions.py"),
     Bug("what rounding moved widens no band", BANDS, "rounding = then.rounding or 0.0", "rounding = 0.0", tests="tests/gate/test_rounding.py"),
     Bug("a result that rounding moves little has no band", BANDS, "return Band(width, band.reason)", "return Band(EVERY_STEP * rounding, band.reason)", tests=GATE),
-    Bug("what rounding moves is forgotten when a result is kept", "vv/gate/acceptance.py", "kept = _with_wider_rounding(before, now)", "kept = before", tests="tests/gate/test_rounding.py"),
+    Bug("what rounding moves is forgotten when a result is kept", "vv/gate/acceptance.py", "kept = with_wider_rounding(before, now)", "kept = before", tests="tests/gate/test_rounding.py"),
     Bug("an acceptance takes the number of another", "vv/gate/acceptance.py", "str(1 + max(map(int, old.acceptances), default=0))", "str(1 + len(old.acceptances))", tests="tests/gate/test_acceptance.py"),
     Bug("a known breach of any scheme", "vv/gate/known_breaches.py", "(record.scheme, self.schemes)", '(record.scheme, "*")', tests="tests/gate/known/test_breaches.py"),
     Bug("a law kept at other parameters is news", "vv/gate/known_breaches.py", "record.modified or not entry.breach or not", "not entry.breach or not", tests="tests/gate/known/test_breaches.py"),
