@@ -108,6 +108,21 @@ def test_machine_day_folder_selection_and_baselines_are_part_of_it(
     assert len(seen) == 7
 
 
+@pytest.mark.parametrize("folder", ["own", "shipped"])
+def test_sources_of_a_project_and_those_that_came_with_vv_are_part_of_it(
+    world: World, tmp_path: Path, folder: str
+) -> None:
+    world.patched.undo()
+    world.patched.setattr("vv.plan.imports.OWN", tmp_path / "shipped")
+    world.project.root = tmp_path / "own"
+    for each in ("own", "shipped"):
+        (tmp_path / each / "cases").mkdir(parents=True)
+        (tmp_path / each / "cases" / "fall.py").write_text("x = 1\n")
+    before = world.identity()
+    (tmp_path / folder / "cases" / "fall.py").write_text("x = 2\n")
+    assert world.identity() != before
+
+
 @pytest.mark.parametrize("other", ["Python", "packages", "environment"])
 def test_the_python_that_runs_it_is_part_of_it(world: World, other: str) -> None:
     before = world.identity()

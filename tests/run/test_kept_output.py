@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.support.fabricated import NOWHERE, changed, manifest, record
+from tests.support.fabricated import NOWHERE, changed, manifest, ran, record
 from vv.records.manifest import PrintedOutput
 from vv.run import reuse
 from vv.store.store import Store
@@ -95,3 +95,19 @@ def test_a_manifest_of_another_commit_is_stored_again_under_the_present_one(
     assert other.provenance == here
     assert kept.store.manifests.read(other.name).provenance == here
     assert reuse.recall(kept.store, "same") == other
+
+
+def test_what_lacks_the_series_of_one_of_its_records_does_not_stand(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    runs = [ran(store, label, "T1", 1e-3, "pass") for label in ("a/a", "b/b")]
+    whole = manifest(*runs, name="run")
+    store.manifests.keep(whole)
+    reuse.remember(store, "same", whole)
+    assert reuse.recall(store, "same") == whole
+    first, second = sorted((tmp_path / "records").rglob("*.npz"))
+    for lost in (first, second):
+        content = lost.read_bytes()
+        lost.unlink()
+        assert reuse.recall(store, "same") is None
+        lost.write_bytes(content)
+    assert reuse.recall(store, "same") == whole

@@ -49,6 +49,7 @@ def test_with_all_shown_again_numbers_are_those_that_the_page_came_with(
         ROWS
         + """
       said.before = rows();
+      said.target = [one("#target-said").textContent, Object.keys(drawn())];
       chip("bb").click();
       chip("bb").click();
       said.after = rows();
@@ -56,6 +57,7 @@ def test_with_all_shown_again_numbers_are_those_that_the_page_came_with(
     """
     )
     said = seen(front, script, tmp_path)
+    assert said["target"] == ["1e-3", ["aa/one", "aa/two", "bb/one"]]
     assert table(said["before"]) == table(said["after"]) == ALL
     assert float(said["after"]["aa/one"][2]) == pytest.approx(2e-4)
     assert said["common"] == "2"
