@@ -29,7 +29,7 @@ def made(one: Scene, scheme: str = PLAIN, *seen: Any) -> Setup:
 
 
 def test_a_sphere_that_only_turns_is_integrated_and_one_that_is_held_is_not() -> None:
-    turns = np.array([[False] * 3, [True] * 3, [False] * 3])
+    turns = np.array([[False] * 3, [False, True, False], [False] * 3])
     one = made(scene(group(HELD, HELD, ALL, free_spin=turns)))
     assert one.turning.tolist() == [False, True, False]
     assert one.moving.tolist() == [False, True, True]

@@ -165,6 +165,7 @@ def test_the_profile_of_each_error_has_every_cost_at_its_place(front: Path, tmp_
         }
         assert [words for words, _ in across] == ["1", "10¹"]
         assert [words for words, _ in up] == [f"{share} %" for share in range(0, 101, 20)]
+        assert across[1][1] - across[0][1] > 150.0, "a decade takes half of the drawing"
         bottom, top = up[0][1] - 3.0, up[-1][1] - 3.0
         for label, (_, places, line) in drawn.items():
             given = [(float(ratio), (k + 1) / SOLVED[target])
