@@ -126,7 +126,10 @@ def test_nearly_all_spheres_of_the_scene_touch_six(n: int) -> None:
 
 
 def test_lines_say_how_costs_grow() -> None:
-    found = [Size(n, 10, 2e10, {"one/default": cost}) for n, cost in ((100, 1e-7), (1000, 1.5e-7))]
+    found = [
+        Size(n, 10, memory, {"one/default": cost})
+        for n, memory, cost in ((100, 2e10, 1e-7), (1000, 1e10, 1.5e-7))
+    ]
     assert scaling_table.row(found[0], ["one/default", "two/default"]).split() == [
         "100",
         "100",
@@ -134,6 +137,8 @@ def test_lines_say_how_costs_grow() -> None:
         "14",
     ]
     assert any("1.50 times" in line for line in scaling_table.notes(found))
+    assert any(line.endswith("20.0 GB/s at most; small scenes fit into the caches")
+               for line in scaling_table.notes(found))  # fmt: skip
     assert scaling_table.document(found)["sizes"][1]["seconds"] == {"one/default": 1.5e-7}
 
 

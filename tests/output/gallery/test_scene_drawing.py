@@ -164,6 +164,17 @@ def test_several_shakings_have_one_name_and_a_tiny_sphere_is_seen() -> None:
     assert made[0] == '<circle class="body" cx="140" cy="104" r="0.8"/>'
 
 
+@pytest.mark.parametrize(
+    ("what", "height"), [("gravity", 40), ("shaking", 96), ("driven wall", 150)]
+)
+def test_what_acts_on_all_bodies_has_a_place_of_its_own_beside_them(what: str, height: int) -> None:
+    """The middle of the arrow, which is 30 long, is on a line at x = 272; its name is below it."""
+    seen = Sketch(1.0, (), 0, (), (), arrows=(Arrow((0.0, 0.0), (0.0, 1.0), what),))
+    arrow, name, *_ = scene_drawing.shapes(seen)
+    assert f'd="M272 {height + 15}L272 {height - 15}M' in arrow
+    assert name == f'<text x="272" y="{height + 27}" class="mid">{what}</text>'
+
+
 def test_an_oblique_view_turns_a_scene_and_does_not_distort_it() -> None:
     assert pytest.approx(np.eye(2), abs=0.01) == OBLIQUE @ OBLIQUE.T
 
