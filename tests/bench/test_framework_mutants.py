@@ -139,6 +139,24 @@ def test_a_mutant_is_seen_on_import_if_tests_pass_without_it_and_not_with_it(
         assert (tmp_path / FILE).read_text() == original
 
 
+@pytest.mark.parametrize(("red_with", "seen"), [("y.py::b", "when imported"), ("x.py::a", None)])
+def test_a_test_that_is_red_without_a_mutant_does_not_hide_what_other_files_detect(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, red_with: str, seen: str | None
+) -> None:
+    """The test of x.py is red with the mutant and without it."""
+    one, original = named("one.error / one.tolerance"), (ROOT / FILE).read_text()
+    (tmp_path / "vv" / "gate").mkdir(parents=True)
+    (tmp_path / FILE).write_text(original)
+
+    def passes(project: Path, *tests: str) -> bool:
+        mutated = (project / FILE).read_text() != original
+        return "x.py::a" not in tests and not (mutated and red_with in tests)
+
+    monkeypatch.setattr(framework_mutants, "passes", passes)
+    seconds, lines = {"x.py::a": 0.5, "y.py::b": 1.0}, {one.lines[0]: ["x.py::a", "y.py::b"]}
+    assert Asked(tmp_path, seconds, {FILE: lines}, LONGEST).red_on_import(one) == seen
+
+
 def test_a_mutant_that_no_test_runs_at_all_survives() -> None:
     one = named("one.error / one.tolerance")
     assert Asked(Path("nowhere"), {}, {}, LONGEST).red_on_import(one) is None
