@@ -206,12 +206,14 @@ def _roots(run: Run) -> Cvector:
 
 def _swing_bounds(quick: float, w: float) -> Exact:
     """quick: damping of all modes over that of the first mode of a bar, of frequency w [1/s]."""
+    whole = FIRST * quick * STEPS[0]
+    share = min(1.0, LARGEST_TOLERANCE / whole)  # of the coarsest step, so that the bound is one
     step = Tolerance(
-        max(5 / STIFF, min(FIRST * quick * STEPS[0], LARGEST_TOLERANCE)),
+        max(5 / STIFF, whole * share),
         "DDA's step has the damping ratio w dt/4: an error of (1 - exp(-w dt w t/4))/2 of the "
         "largest strain, 1.2 w dt after a period and a half. The damping of faster modes grows "
         "with the square of their frequency",
-        dt=STEPS[0] / w, order=1, floor=5 / STIFF,
+        dt=STEPS[0] * share / w, order=1, floor=5 / STIFF,
     )  # fmt: skip
     second = Tolerance(
         max(5 / STIFF, min(2.0 * quick * STEPS[0] ** 2, LARGEST_TOLERANCE)),
