@@ -3,8 +3,8 @@
 If an answer is wrong by more than its scale, or is larger than the scale and has no error that
 would show it, its rounding is larger by the same factor, and so is its band. Where rounding grows
 in time, as in impacts of many blocks, further runs show by how much: their masses, gravity and
-positions differ in the last digits (`vv.plan.nudged`). Their largest distance from the accepted run
-is stored with the result, and the band is a multiple of it.
+corners of blocks differ in the last digits (`vv.plan.nudged`). Their largest distance from the
+accepted run is stored with the result, and the band is a multiple of it.
 """
 
 from __future__ import annotations
