@@ -13,11 +13,11 @@ from tests.support.fabricated import case, entry, manifest, record
 from vv.store.store import Store
 
 pytestmark = in_browser
-STEPS, STIFF = (4e-3, 2e-3, 1e-3), (1e6, 1e8)
 NAMES = ("q", "q2", "q2x")  # the first two have drawings of their own
 ERRORS = {  # of the third, at each stiffness and step; the rest of a row is of other schemes
     (1e6, 4e-3): 8e-3, (1e6, 2e-3): 4e-3, (1e6, 1e-3): 2e-3,
-    (1e8, 4e-3): 5e-4, (1e8, 2e-3): 5e-4, (1e8, 1e-3): 0.0,
+    (1e7, 4e-3): 3e-4, (1e7, 2e-3): 3e-4, (1e7, 1e-3): 0.0,
+    (1e8, 4e-3): 5e-4, (1e8, 2e-3): 5e-4, (1e8, 1e-3): 5e-4,  # of which the last share a row
 }  # fmt: skip
 DRAW = """
   const place = one("[data-draw='q2x']");
@@ -50,12 +50,14 @@ def test_each_stiffness_has_its_curve_over_all_steps_that_a_row_names_and_no_err
     ]  # fmt: skip
     cases = {"bounce": dataclasses.replace(facts, variants={"T1": variant})}
     front = html.build(manifest(*runs, cases=cases), store, store.root / "report")
+    assert "<tr><td>2e-3, 1e-3<td>1e8" in (front.parent / "case-bounce.html").read_text()
     said = seen(front.parent / "case-bounce.html", DRAW, tmp_path)
     assert said["curves"] == {
         "dem/default, kn 1e6 N/m": [[1e-3, 2e-3], [2e-3, 4e-3], [4e-3, 8e-3]],
-        "dem/default, kn 1e8 N/m": [[2e-3, 5e-4], [4e-3, 5e-4]],
+        "dem/default, kn 1e7 N/m": [[2e-3, 3e-4], [4e-3, 3e-4]],
+        "dem/default, kn 1e8 N/m": [[1e-3, 5e-4], [2e-3, 5e-4], [4e-3, 5e-4]],
     }
     (left, right, across), (low, high, up) = said["ends"]
     assert (across, up) == (3, 3), "both are logarithmic"
     assert (left, right) == pytest.approx((1e-3 / 1.2, 4e-3 * 1.2))
-    assert (low, high) == pytest.approx((5e-4 / 1.2, 8e-3 * 1.2))
+    assert (low, high) == pytest.approx((3e-4 / 1.2, 8e-3 * 1.2))
