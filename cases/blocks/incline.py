@@ -83,6 +83,7 @@ def _along_dip(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ..
     """The motion along the dip."""
     (seen,) = _observed(scene)
     names = ("alpha", "phi", "A", "f", "g", "v0")
+    own = any(p == CASE.defaults(one.name) for one in CASE.variants)
     return (
         Series(
             name="d",
@@ -91,7 +92,7 @@ def _along_dip(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ..
             meaning="displacement down the dip",
             observe=ComponentAlong(seen, scene.axes[0]),
             reference=functools.partial(incline.newmark, **{name: p[name] for name in names}),
-            judge=_incline_bounds.along_dip(p),
+            judge=_incline_bounds.along_dip(p, own),
             still=_incline_bounds.free_fall(p),
         ),
     )

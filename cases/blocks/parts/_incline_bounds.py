@@ -38,8 +38,11 @@ def free_fall(p: Parameters) -> float:
     return 0.5 * p["g"] * p["duration"] ** 2
 
 
-def along_dip(p: Parameters) -> Exact:
-    """In one direction: parabolas are exact, sines have the order of the step, and springs lag."""
+def along_dip(p: Parameters, own: bool) -> Exact:
+    """In one direction: parabolas are exact, sines have the order of the step, and springs lag.
+
+    own: the parameters are the case's, at which lagging friction is nearly right in long steps too.
+    """
     if not p["A"] and (p["alpha"] > p["phi"] or not p["v0"]):
         return Exact({**STEADY, Method.FIRST_ORDER: _half_steps(p)})
     cycles = max(1.0, p["f"] * p["duration"])
@@ -61,7 +64,21 @@ def along_dip(p: Parameters) -> Exact:
         Method.STRAIGHT: _whole_stops(p, sine),
         Method.FIRST_ORDER: _half_steps(p),
     }
-    return Exact({**_on_springs(springs), **rigid})
+    on_springs = _on_springs(springs)
+    if uphill and not own:
+        on_springs[Method.LAGGING] = _reversing_late(p, on_springs[Method.LAGGING])
+    return Exact({**on_springs, **rigid})
+
+
+def _reversing_late(p: Parameters, lagging: Tolerance) -> Tolerance:
+    """For friction of the iteration before, where slip reverses."""
+    return dataclasses.replace(
+        lagging,
+        late=_friction(p) * p["duration"] / _largest_slip(p),
+        reason=f"{lagging.reason}; and in a step in which slip reverses, friction may act along "
+        "it: an error of the speed of up to 2 mu N dt/m, which the next reversal takes back half a "
+        "cycle later, and so of mu N T dt/m of the displacement",
+    )
 
 
 def in_two_directions(p: Parameters, swept: bool) -> tuple[Exact, Exact]:
