@@ -14,7 +14,6 @@ from reference_solutions.blocks import elastic_block as exact
 from reference_solutions.blocks import implicit_step
 from vv.ask import Displacement, History, Knobs, Method, Run, Strain
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -29,6 +28,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Block, Contact, Elastic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
@@ -206,17 +206,15 @@ def _roots(run: Run) -> Cvector:
 
 def _swing_bounds(quick: float, w: float) -> Exact:
     """quick: damping of all modes over that of the first mode of a bar, of frequency w [1/s]."""
-    whole = FIRST * quick * STEPS[0]
-    share = min(1.0, LARGEST_TOLERANCE / whole)  # of the coarsest step, so that the bound is one
-    step = Tolerance(
-        max(5 / STIFF, whole * share),
+    step = capped(
+        max(5 / STIFF, FIRST * quick * STEPS[0]),
         "DDA's step has the damping ratio w dt/4: an error of (1 - exp(-w dt w t/4))/2 of the "
         "largest strain, 1.2 w dt after a period and a half. The damping of faster modes grows "
         "with the square of their frequency",
-        dt=STEPS[0] * share / w, order=1, floor=5 / STIFF,
+        dt=STEPS[0] / w, order=1, floor=5 / STIFF,
     )  # fmt: skip
-    second = Tolerance(
-        max(5 / STIFF, min(2.0 * quick * STEPS[0] ** 2, LARGEST_TOLERANCE)),
+    second = capped(
+        max(5 / STIFF, 2.0 * quick * STEPS[0] ** 2),
         "the generalised-alpha method lowers the frequency by (w dt)^2/8, a phase error of 1.2 "
         "(w dt)^2 radians over a period and a half; the floor is the compliance of the springs at "
         "the edges",

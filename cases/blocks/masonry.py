@@ -31,6 +31,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, polyhedron_inertia
 
@@ -158,10 +159,13 @@ def _sliding_bounds(p: Parameters) -> Exact:
         "times a second; the error of the displacement is that times the time that is left, over D"
     )
     turns = max(1.0, p["mu"] * p["g"] * p["f"] * p["duration"] ** 2 / p["D"] / 20.0)
-    bound = min(LARGEST_TOLERANCE, 2e-2 * turns)
-    second = Tolerance(bound, whole, dt=2e-3, order=1)
-    first = Tolerance(
-        bound, whole, dt=2e-3, order=1, slack="where in a step slip reverses is a matter of chance"
+    second = capped(2e-2 * turns, whole, dt=2e-3, order=1)
+    first = capped(
+        2e-2 * turns,
+        whole,
+        dt=2e-3,
+        order=1,
+        slack="where in a step slip reverses is a matter of chance",
     )
     judged, shown = (
         {Method.SECOND_ORDER: second, Method.FIRST_ORDER: first},
@@ -169,8 +173,8 @@ def _sliding_bounds(p: Parameters) -> Exact:
     )
     if _leans(p):
         return Exact(judged, not_judged={**shown, Method.PENALTY: EXCITED})
-    penalty = Tolerance(
-        min(LARGEST_TOLERANCE, _walk(p)),
+    penalty = capped(
+        _walk(p),
         "a block on its springs vibrates with the frequency w, w^2 = kn/m; at Coulomb's limit with "
         "the amplitude mu m g/kn, so that a course walks on the next at up to mu g/w, and the "
         "highest of n courses at n times that, for the whole duration; and " + whole,

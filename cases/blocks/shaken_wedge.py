@@ -29,6 +29,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Contact, Harmonic, Scene, Vector
 
@@ -98,8 +99,8 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
                 1e-5, "slip begins and ends on whole steps, an error of the speed of at most a dt",
                 dt=1e-3, order=1, slack="a slip may end anywhere within a step",
             ),
-            Method.PENALTY: Tolerance(
-                min(sprung, LARGEST_TOLERANCE),
+            Method.PENALTY: capped(
+                sprung,
                 "when slip begins, the shear springs release the force that they bore across the "
                 "groove, and the wedge oscillates on its sides: friction is missing for up to 1/w "
                 "of that oscillation",

@@ -10,7 +10,6 @@ from cases.bonds._unit import CORNERS, EDGES, OUT, ROUND, SEEN, unit
 from reference_solutions.bonds import turned_unit
 from vv.ask import History, Knobs, Method
 from vv.case import (
-    LARGEST_TOLERANCE,
     ComponentAlong,
     Exact,
     Ladder,
@@ -19,6 +18,7 @@ from vv.case import (
     Series,
     Tolerance,
     Trial,
+    capped,
 )
 from vv.scene import Vector
 
@@ -108,13 +108,13 @@ def _bounds(w: float) -> Exact:
             Method.LINEARISED: Tolerance(
                 1e-13, "no bond rotates, so that the linear answer is exact"
             ),
-            Method.SECOND_ORDER: Tolerance(
-                float(min(angle**2 / 24 * max(whole, 1.0) * 1.7, LARGEST_TOLERANCE)),
+            Method.SECOND_ORDER: capped(
+                angle**2 / 24 * max(whole, 1.0) * 1.7,
                 "the phase error (w dt)^2/24 w t of a leapfrog, and some (w dt)^2 by its start",
                 dt=THROWN, order=2,
             ),
-            Method.FIRST_ORDER: Tolerance(
-                float(min(angle, LARGEST_TOLERANCE)),
+            Method.FIRST_ORDER: capped(
+                angle,
                 "a start half a step late shifts the phase by w dt/2", dt=THROWN, order=1,
             ),
         },

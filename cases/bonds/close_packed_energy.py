@@ -31,6 +31,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Form, Vector
 
@@ -139,9 +140,7 @@ def _met_again(p: Parameters, block: Lattice, held: float) -> Tolerance:
     crossed = max(int(((z[:, 0] - at) * (z[:, 1] - at) < 0).sum()) for at in cuts)
     one = (p["kn"] * p["xb"] * dt) ** 2 / (4 * p["m"])
     one *= 1 + 4 * p["mu_p"] ** 2 * p["kn"] / p["ks"]
-    return Tolerance(
-        min(math.sqrt(crossed) * one / held, LARGEST_TOLERANCE), MET, dt=dt, order=2, slack=NONE
-    )
+    return capped(math.sqrt(crossed) * one / held, MET, dt=dt, order=2, slack=NONE)
 
 
 def gap(run: Run) -> Vector:

@@ -17,7 +17,6 @@ from reference_solutions.bonds import lattice_material, sliding_unit, tetrahedra
 from reference_solutions.bonds.lattice_material import Element
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Judge,
@@ -32,6 +31,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Bonds, Contact, Scene, Spheres, Vector
 
@@ -232,8 +232,8 @@ def _sliding_balance(p: Parameters, element: Element, held: float) -> Scalar:
     turned = 1e8 * coarsest * math.sqrt(p["kn"] / p["m"] / (KN.value / M.value))
     rotating = {n: sum(2e-7 * turned**order for order in range(n, 3)) for n in orders.values()}
     return balance({
-        method: Tolerance(
-            min(LARGEST_TOLERANCE, rotating[n] + ends / held), PARTED,
+        method: capped(
+            rotating[n] + ends / held, PARTED,
             dt=coarsest, order=n, slack=FEW,
         )
         for method, n in orders.items()

@@ -9,7 +9,6 @@ import numpy as np
 from reference_solutions.blocks import toppling
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -22,6 +21,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Block, Contact, Scene, Vector, polyhedron_inertia, volume_and_centroid
 
@@ -93,14 +93,14 @@ def _check(p: Parameters, height: float, lam: float) -> None:
 
 def _bounds(lam: float, weight: float, way: float) -> dict[Method, Tolerance]:
     """lam: the rate at which it topples [1/s]; weight [N]; way: what its centre moves [m]."""
-    turns = Tolerance(
-        min((lam * STEP) ** 2, LARGEST_TOLERANCE),
+    turns = capped(
+        (lam * STEP) ** 2,
         "an error of (lam dt)^2, lam the rate at which it topples",
         dt=STEP,
         order=2,
     )
-    sinks = Tolerance(
-        min(1.5 * 2 * weight / (SPRING * way), LARGEST_TOLERANCE),
+    sinks = capped(
+        1.5 * 2 * weight / (SPRING * way),
         "the prism sinks into its contact spring and oscillates on it, by 2 m g/kn of what its "
         "centre moves, and by half as much again while it leans; a step of first order turns it "
         "too slowly, by half a step in a second",
@@ -111,8 +111,8 @@ def _bounds(lam: float, weight: float, way: float) -> dict[Method, Tolerance]:
     return {
         Method.SECOND_ORDER: turns,
         Method.STRAIGHT: turns,
-        Method.FIRST_ORDER: Tolerance(
-            min(0.51 * lam * STEP, LARGEST_TOLERANCE),
+        Method.FIRST_ORDER: capped(
+            0.51 * lam * STEP,
             "an error of lam dt/2, lam the rate at which it topples",
             dt=STEP,
             order=1,

@@ -25,6 +25,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Block, Contact, Scene, Spheres, Vector, Wall, polyhedron_inertia
 
@@ -161,8 +162,8 @@ def _judge(p: Parameters, own: bool) -> Exact:
     }
     if xi < 0.05:
         return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
-    swings = Tolerance(
-        min(5e-4 / xi**2 * max(left, 0.1) ** 2, LARGEST_TOLERANCE),
+    swings = capped(
+        5e-4 / xi**2 * max(left, 0.1) ** 2,
         "the wedge sinks by N/(kn sin(xi/2)) and oscillates, and its friction with it. The error "
         "of the displacement grows with the ratio of friction to the downhill force that is left, "
         "and with its square, since the wedge then stops in each oscillation",

@@ -16,6 +16,7 @@ from vv.case import (
     Shown,
     Tolerance,
     at_rest,
+    capped,
     largest_step,
 )
 from vv.case.common_quantities import Motion
@@ -175,3 +176,25 @@ def test_a_setting_that_would_take_too_long_is_told(
     assert (found is None) if said is None else (found is not None and said in found)
     search = Search(SCENE, (BALL,), 0.01, 40, Bracket(8.0, 1.0))
     assert why_too_long(search, Knobs(0.01), (1e9, 0.0)) is None
+
+
+@pytest.mark.parametrize(
+    ("value", "given", "coarse", "fine"),
+    [
+        (0.4, {"dt": 1e-3, "order": 1}, 0.1, 0.04),
+        (0.4, {"dt": 1e-3, "order": 2}, 0.1, 0.004),
+        (0.04, {"dt": 1e-3, "order": 1}, 0.04, 0.004),
+        (0.4, {"kn": 1e8, "softness": 0.5}, 0.1, 0.04),
+        (0.4, {"kn": 1e8, "softness": 0.5, "dt": 1e-3, "order": 1}, 0.1, 0.004),
+        (0.4, {}, 0.1, 0.1),
+        (math.inf, {"dt": 1e-3, "order": 1}, 0.1, 0.1),
+        (math.inf, {"kn": 1e8, "softness": 1.0}, 0.1, 0.1),
+    ],
+)
+def test_a_bound_over_the_largest_is_cut_at_each_setting_and_not_before_it_is_scaled(
+    value: float, given: dict[str, Any], coarse: float, fine: float
+) -> None:
+    """Between the settings steps are a tenth as long, and springs a hundred times as stiff."""
+    found = capped(value, "why", **given)
+    assert found.at(Knobs(1e-3, 1e8)) == pytest.approx(coarse)
+    assert found.at(Knobs(1e-4, 1e10)) == pytest.approx(fine)

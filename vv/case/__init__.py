@@ -25,6 +25,7 @@ from vv.case.judges import (
     Norm,
     Shown,
     Tolerance,
+    capped,
     judge_at_other_parameters,
     judge_for_method,
 )
@@ -80,6 +81,7 @@ __all__ = [
     "Trial",
     "Variant",
     "at_rest",
+    "capped",
     "error_scale",
     "evaluated",
     "judge_at_other_parameters",

@@ -6,6 +6,7 @@ import enum
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from vv.ask import Knobs, Method
 from vv.case.code_to_code import CodeToCode
@@ -22,6 +23,7 @@ class Norm(enum.Enum):
 
 
 LARGEST_TOLERANCE = 0.1  # relative error; a larger one is wrong at any step
+TINY = 1e-100  # a step [s] or a compliance [m/N] that is still positive
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,20 @@ class Tolerance:
             bound *= (self.kn / knobs.kn) ** self.softness
         bound += self.late * (knobs.dt or 0.0)
         return min(LARGEST_TOLERANCE, max(self.floor, bound))
+
+
+def capped(value: float, reason: str, **scaling: Any) -> Tolerance:
+    """The tolerance of this value at its dt and kn, which may exceed LARGEST_TOLERANCE.
+
+    It is then stated at the step, or the stiffness, at which it is that large, so that at others it
+    is what it would be. scaling: other fields of `Tolerance`.
+    """
+    over = value / LARGEST_TOLERANCE
+    if over > 1.0 and scaling.get("order"):
+        scaling["dt"] = max(scaling["dt"] * over ** (-1 / scaling["order"]), TINY)
+    elif over > 1.0 and scaling.get("softness"):
+        scaling["kn"] = min(scaling["kn"] * over ** (1 / scaling["softness"]), 1 / TINY)
+    return Tolerance(min(value, LARGEST_TOLERANCE), reason, **scaling)
 
 
 @dataclass(frozen=True)
