@@ -110,6 +110,14 @@ def test_each_part_of_a_cost_is_read(tmp_path: Path) -> None:
     assert run.cost == Cost(startup=1.0, **told)  # type: ignore[arg-type]
 
 
+def test_a_run_that_came_to_nothing_has_cost_its_start(tmp_path: Path) -> None:
+    whole = {"status": "diverged", "reason": "up", "ready": 11.0}
+    (tmp_path / "ask.json.answer").write_text(json.dumps(whole))
+    run = own_python.parse(tmp_path / "ask.json", ask(), MODEL, FRAME, 10.0)
+    assert run is not None
+    assert (run.status, run.cost) == (Status.DIVERGED, Cost(startup=1.0))
+
+
 def test_arrays_of_objects_are_not_unpacked(tmp_path: Path) -> None:
     """A pickle could run code; what a program of others writes is data."""
     whole = {"status": "ran", "reason": "", "steps": 2, "ready": 0.0}

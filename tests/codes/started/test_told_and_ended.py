@@ -69,6 +69,15 @@ def test_one_that_waited_is_ended_with_the_next_that_is_not_to_wait(
     assert not (tmp_path / "two" / "cleared").exists()
 
 
+def test_one_whose_answers_are_not_awaited_gets_no_time_to_clear_up(
+    program: ReusedProgram, tmp_path: Path
+) -> None:
+    left = answers(program, tmp_path / "one", 2)
+    next(left)
+    left.close()  # type: ignore[attr-defined]  # it is a generator
+    assert not (tmp_path / "one" / "cleared").exists()
+
+
 def test_blocks_in_which_it_may_wait_lie_within_each_other(
     program: ReusedProgram, tmp_path: Path
 ) -> None:
