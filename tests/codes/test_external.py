@@ -114,3 +114,10 @@ def test_a_program_that_says_too_much_is_ended_and_the_reason_says_so(
     assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
     assert "it wrote over 1e+06 bytes of output" in runs[1].reason
     assert max(log.stat().st_size for log in tmp_path.glob("*.log")) <= external.TAIL
+
+
+def test_a_long_line_of_a_log_is_quoted_by_its_beginning(tmp_path: Path) -> None:
+    log = tmp_path / "log"
+    for length, quoted in ((300, 300 * "x"), (301, 300 * "x" + "...")):
+        log.write_text(length * "x")
+        assert external.last_line(log) == quoted

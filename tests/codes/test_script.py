@@ -90,3 +90,21 @@ def test_the_script_stops_with_the_reason_when_the_engine_refuses(tmp_path: Path
     )  # fmt: skip
     assert done.returncode == 1
     assert done.stderr.startswith(f"{Status.REFUSED.value}: body 0 is not a sphere")
+
+
+def test_what_is_too_long_for_a_line_is_indented_by_its_depth() -> None:
+    first, second = 50 * "a", 50 * "b"
+    indented = f"(\n    (\n        {first!r},\n        {second!r},\n    ),\n)"
+    assert source(((first, second),)) == indented
+    wide = Wall(np.full(3, 1.0 / 3.0), np.array([0.0, 0.6, 0.8]), Harmonic(*np.full((2, 3), 1 / 3)))
+    inner = ", ".join(3 * [repr(1 / 3)])
+    assert source(wide).splitlines() == [
+        "Wall(",
+        f"    point=np.array([{inner}]),",
+        "    normal=np.array([0.0, 0.6, 0.8]),",
+        "    motion=Harmonic(",
+        f"        amplitude=np.array([{inner}]),",
+        f"        frequency=np.array([{inner}]),",
+        "    ),",
+        ")",
+    ]

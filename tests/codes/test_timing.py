@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
-from vv.ask import Run, Status
+from adapters import exact
+from tests.scenes.small_scenes import small_scene
+from vv.ask import Ask, Displacement, History, Run, Status
 from vv.codes import timed
 from vv.codes.timing import run_timed
 
@@ -115,3 +118,16 @@ def test_each_part_of_a_run_is_on_the_clock(monkeypatch: pytest.MonkeyPatch) -> 
     assert run.reason == "rows"
     assert (cost.setup, cost.startup, cost.solve_cpu, cost.output) == (1.0, 2.0, 4.0, 8.0)
     assert cost.solve_wall == 12.0
+
+
+def test_each_part_of_an_exact_run_has_the_time_that_it_took(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Equations are built in 1 s, the kernel is loaded in 2 s, and output is evaluated in 8 s."""
+    clock = iter((0.0, 1.0, 3.0, 7.0, 15.0))
+    monkeypatch.setattr(exact, "time", SimpleNamespace(process_time=lambda: next(clock)))
+    scene = small_scene(1)
+    ask = Ask(scene, History(0.4, 1e-2), (Displacement(1),))
+    (run,) = exact.ADAPTER.run([ask], "default", tmp_path, 0.0)
+    assert run.cost is not None
+    assert (run.cost.setup, run.cost.startup, run.cost.output) == (1.0, 2.0, 8.0)

@@ -20,6 +20,7 @@ from tests.support.fabricated import (
     requantified,
 )
 from vv.case import Norm
+from vv.insight import history as past
 from vv.insight.history import history
 from vv.insight.past_runs import PastRuns, digest_of
 from vv.records.job_record import Record
@@ -137,3 +138,20 @@ def test_a_history_that_was_kept_stands_beside_its_own_commits(tmp_path: Path) -
         told = history(store, "bounce", print)
         assert [(p.utc, p.name) for p in told] == [("day 1", "1" * 9), ("day 2", "2" * 9)]
         assert [p.closeness["a/x"] for p in told] == pytest.approx([0.1, 0.3])
+
+
+def test_a_history_ends_where_a_commit_more_than_it_shows_begins(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Runs at two commits are shown; what lies before the first run at a third is not looked at."""
+    monkeypatch.setattr(past, "COMMITS", 2)
+    names = ["0a", "1c", "2a", "3b", "4b", "5a"]  # each with its commit, oldest first
+    runs: Any = SimpleNamespace(
+        head=lambda name: ({"bounce"}, SimpleNamespace(commit=name[1], dirty=False)),
+        key_of=lambda names, case: names[0],
+    )
+    store: Any = SimpleNamespace(manifests=SimpleNamespace(names=lambda: names))
+    found = past._last_runs(store, runs, ["bounce"])["bounce"]
+    assert {at: [name for name, _ in kept] for at, kept in found.items()} == {
+        ("a", False): ["5a", "2a"], ("b", False): ["4b", "3b"]
+    }  # fmt: skip

@@ -12,7 +12,7 @@ from adapters.yade import ADAPTER
 from cases.contact.single_contact import CASE
 from tests.support.adapters.small_asks import UP, ball, ball_ask, case_ask
 from tests.support.adapters.yade_asks import HALF_STEP, PLAIN
-from vv.ask import Status
+from vv.ask import Displacement, Reaction, Status
 from vv.scene import Spheres, Term, Wall, rotated, rotation_about_z
 
 
@@ -78,3 +78,11 @@ def test_the_version_is_read_from_the_package(
     monkeypatch.setattr("adapters.yade.installed.PYTHON", package / "config.py")
     assert ADAPTER.found().version == "1.2b"
     assert package / "wrapper.so" in ADAPTER.found().files
+
+
+@pytest.mark.parametrize("oblique", [True, False])
+@pytest.mark.parametrize("observed", [Reaction(1), Displacement(1)])
+def test_only_the_reaction_of_an_oblique_lock_is_not_known(oblique: bool, observed: Any) -> None:
+    ask = dataclasses.replace(case_ask("T3-rotated" if oblique else "T3"), observables=(observed,))
+    unknown = "the reaction of oblique locks" in (ADAPTER.refuses(ask, PLAIN) or "")
+    assert unknown is (oblique and isinstance(observed, Reaction))
