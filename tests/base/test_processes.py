@@ -37,8 +37,8 @@ def running_in(folder: Path) -> list[int]:
 
 
 def within(is_so: Callable[[], bool]) -> None:
-    """Wait until something is so, for a few seconds at most."""
-    for _ in range(200):
+    """Wait until something is so, for half a minute at most: the machine may be busy."""
+    for _ in range(1500):
         if is_so():
             return
         time.sleep(0.02)

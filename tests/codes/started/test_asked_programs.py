@@ -66,6 +66,6 @@ def test_when_the_wait_for_a_program_is_broken_off_it_ends_with_what_it_started(
 
     monkeypatch.setattr(external, "await_end", broken)
     with pytest.raises(KeyboardInterrupt):
-        answer(tmp_path, f"(sleep 0.5; touch {tmp_path}/late) & touch begun; wait")
-    time.sleep(0.7)
+        answer(tmp_path, f"(sleep 1; touch {tmp_path}/late) & touch begun; wait")
+    time.sleep(1.2)
     assert not (tmp_path / "late").exists()

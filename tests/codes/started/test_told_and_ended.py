@@ -20,7 +20,7 @@ for line in sys.stdin:
     for path in open(line.strip()).read().splitlines():
         open(path + ".half", "w").write(os.environ["GIVEN"])
         os.rename(path + ".half", path + ".answer")
-time.sleep(0.3)
+time.sleep(0.5)
 open("cleared", "w").close()
 """
 
