@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import BRITTLE
+from cases.bonds._quartzite import BRITTLE, KN, M
 from cases.bonds._specimens import block_of, on_springs, on_tops, specimen, yielding
 from cases.bonds.tetrahedral_strength import at_zero_rate, judged_balance
 from reference_solutions.bonds import lattice_material
@@ -68,20 +68,25 @@ def _declare(variant: str, p: Parameters) -> Trial:
     quantities = (
         *_strength(expected, whole),
         _rate_effect(expected, seen),
-        _balance(way, int(size)),
+        _balance(way, int(size), p),
     )
     rungs = dict.fromkeys(Level, RUNGS[:1]) if int(size) > LARGE else LEVELS
     return Trial(Ladder(scene, goal, watched, rungs, cpu_limit=PATIENCE), quantities)
 
 
-def _balance(way: str, size: int) -> Scalar:
-    """The error grows with the number of bonds that break at once, most in blocks that slide."""
+def _balance(way: str, size: int, p: Parameters) -> Scalar:
+    """The error grows with the number of bonds that break at once, most in blocks that slide.
+
+    A bond that breaks, or a contact that closes, up to a step late changes energy by some
+    (kn xb dt)^2/m, of the kn xb^2 that are stored.
+    """
+    faster = max(1.0, p["kn"] / p["m"] * M.value / KN.value)
     if size > LARGE:
-        return judged_balance(1e-3, dt=COARSEST)
+        return judged_balance(1e-3 * faster, dt=COARSEST)
     if way == "yielding":
-        return judged_balance(1e-5)
+        return judged_balance(1e-5 * faster)
     few = size <= {"pulled": 580, "pressed": 82}[way]
-    return judged_balance(3e-6 if few else 5e-5)
+    return judged_balance((3e-6 if few else 5e-5) * faster)
 
 
 def _pulled(block: Lattice, p: Parameters) -> Expected:

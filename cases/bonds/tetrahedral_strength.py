@@ -164,7 +164,7 @@ def judged_balance(bound: float, slack: str = "", dt: float = 1e-8) -> Scalar:
     """The quantity `balance`, judged with a bound at the step dt [s]."""
     orders = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}
     return balance(
-        {m: Tolerance(bound, BOOKED, dt=dt, order=n, slack=slack) for m, n in orders.items()}
+        {m: capped(bound, BOOKED, dt=dt, order=n, slack=slack) for m, n in orders.items()}
     )
 
 
