@@ -168,7 +168,10 @@ class Case:
 
     def variant(self, name: str) -> Variant:
         """The variant of that name; raises KeyError."""
-        return next(v for v in self.variants if v.name == name)
+        for variant in self.variants:
+            if variant.name == name:
+                return variant
+        raise KeyError(f"{self.name} has no variant '{name}'")
 
     def defaults(self, variant: str) -> dict[str, float]:
         """Name -> default value of all parameters of a variant."""
