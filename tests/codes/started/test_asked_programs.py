@@ -16,7 +16,7 @@ from vv.codes import external
 def test_the_time_that_the_system_works_for_a_program_is_its_time_too(tmp_path: Path) -> None:
     """The clock of `os.times` is the other route; random bytes are work of the system."""
     before = os.times()
-    run = answer(tmp_path, "head -c 60000000 /dev/urandom > /dev/null\n" + WRITE(GOOD))
+    run = answer(tmp_path, "head -c 200000000 /dev/urandom > /dev/null\n" + WRITE(GOOD))
     after = os.times()
     system = after.children_system - before.children_system
     user = after.children_user - before.children_user
