@@ -99,6 +99,8 @@ RIGHT = {
     ),
     "incline:two-way alpha=16.1 phi=38 A=24.1 f=1.35 g=7.89 duration=5.64": "dda/lagged",
     "close-packed-strength:pulled-82 m=6.86e-07": "dem/default",
+    "close-packed-strength:pulled-82 kn=6.07e7 ks=3.04e6": "dem/published",
+    "close-packed-strength:pulled-82 kn=2.16e7 rate=0.588": "dem/published",
     "wedge:xi-1 dip=36.5 xi=0.71 held=0.622 g=9.68": "rigid/default",
     "packing:seed-1 m=0.0035 kn=7.86e4 g=5.17": "dem/default",
     "passing:sheared m=0.879 kn=2.49e4 ks=1.32e4 mu=1.2 overlap=7.74e-5 v=6.43e-4 duration=0.342": (
