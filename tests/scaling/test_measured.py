@@ -121,6 +121,7 @@ def test_nearly_all_spheres_of_the_scene_touch_six(n: int) -> None:
     s, pairs = scene.spheres, len(overlapping(scene.spheres))
     assert len(s) == pytest.approx(n, rel=0.05)
     gaps = [(s.position - wall.point) @ wall.normal - s.radius for wall in scene.walls]
+    assert np.min(gaps) > -0.1 * s.radius.min(), "none lies behind a wall"
     leaning = np.count_nonzero(np.array(gaps) < 0)
     assert 2 * pairs + leaning == 2 * CONTACTS * len(s)
 
