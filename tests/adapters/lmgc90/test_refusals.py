@@ -76,6 +76,13 @@ def test_a_block_on_an_edge_does_not_stand_and_one_alone_meets_nothing() -> None
     assert refusals._faces(scene(alone, cube("c", 0.5, [5.0, 0.0, 0.0]))) is None
 
 
+def test_the_density_is_that_of_the_first_block() -> None:
+    large, small = cube("large", 1.0, [0.0, 0.0, 0.0]), cube("small", 0.5, [9.0, 0.0, 0.0])
+    small.mass *= 2.0
+    assert refusals.density(scene(large, small)) == pytest.approx(3.0)
+    assert refusals.density(scene(small, large)) == pytest.approx(6.0)
+
+
 def test_masses_and_inertias_are_those_of_one_density_to_a_billionth() -> None:
     first, second = cube("first", 0.5, [0.0, 0.0, 0.0]), cube("second", 1.0, [5.0, 0.0, 0.0])
     assert refusals.density(scene(first, second)) == pytest.approx(3.0)
