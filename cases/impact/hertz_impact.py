@@ -14,6 +14,7 @@ from cases.impact._materials import (
     moduli,
     require_shallow,
 )
+from cases.impact._peaks import growth, smooth_maximum
 from reference_solutions.impact import hertz
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
@@ -65,19 +66,9 @@ def _approach(pair: bool, kind: type[Displacement] | type[Velocity], run: Run) -
     return np.asarray(run.values[kind(1)] @ X - away if pair else -away)
 
 
-def _smooth_maximum(rows: Vector) -> float:
-    """The largest value of smooth data, from the parabola through the three largest."""
-    i = int(np.clip(rows.argmax(), 1, len(rows) - 2))
-    before, at, after = rows[i - 1 : i + 2]
-    bend = before - 2.0 * at + after
-    return float(at - 0.125 * (after - before) ** 2 / bend) if bend < 0 else float(at)
-
-
 def _deceleration(pair: bool, run: Run) -> Vector:
     """The rate at which the approach slows down, by differences of fourth order."""
-    speed, each = _approach(pair, Velocity, run), run.times[1] - run.times[0]
-    near, far = speed[3:-1] - speed[1:-3], speed[4:] - speed[:-4]
-    return np.asarray(-(8.0 * near - far) / (12.0 * each))
+    return -growth(_approach(pair, Velocity, run), run.times[1])
 
 
 def _separation(pair: bool, run: Run) -> float:
@@ -103,11 +94,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )  # fmt: skip
     figures = {
         "deepest": (
-            lambda run: _smooth_maximum(_approach(pair, Displacement, run)),
+            lambda run: smooth_maximum(_approach(pair, Displacement, run)),
             hertz.deepest(**law),
         ),
         "force": (
-            lambda run: law["m"] * _smooth_maximum(_deceleration(pair, run)),
+            lambda run: law["m"] * smooth_maximum(_deceleration(pair, run)),
             hertz.largest_force(**law),
         ),
         "lasting": (lambda run: _separation(pair, run), unit),

@@ -16,6 +16,7 @@ from cases.impact._materials import (
     moduli,
     require_shallow,
 )
+from cases.impact._peaks import growth, smooth_maximum
 from reference_solutions.impact import hertz, spring, viscous
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
@@ -31,7 +32,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Contact, Hertz, Scene, Spheres, Vector, Wall
+from vv.scene import Contact, Hertz, Scene, Spheres, Wall
 
 X = np.array([1.0, 0.0, 0.0])
 STEPS = (100, 200, 400, 1600)  # in the duration of an impact without losses
@@ -80,14 +81,6 @@ def _exact_values(kind: str, p: Parameters) -> dict[str, float]:
     }
 
 
-def _smooth_maximum(rows: Vector) -> float:
-    """The largest value of smooth data, from the parabola through the three largest."""
-    i = int(np.clip(rows.argmax(), 1, len(rows) - 2))
-    before, at, after = rows[i - 1 : i + 2]
-    bend = before - 2.0 * at + after
-    return float(at - 0.125 * (after - before) ** 2 / bend) if bend < 0 else float(at)
-
-
 def _largest_overlap(run: Run) -> float:
     """The largest overlap [m], interpolated by positions and velocities at outputs."""
     from scipy.interpolate import CubicHermiteSpline
@@ -99,9 +92,8 @@ def _largest_overlap(run: Run) -> float:
 
 def _force(p: Parameters, run: Run) -> float:
     """The largest force [N], from the deceleration of the sphere by fourth-order differences."""
-    speed, each = run.values[Velocity(0)] @ X, run.times[1] - run.times[0]
-    near, far = speed[3:-1] - speed[1:-3], speed[4:] - speed[:-4]
-    return mass(p) * _smooth_maximum(((8.0 * near - far) / (12.0 * each))[STARTS:])
+    slowing = growth(run.values[Velocity(0)] @ X, run.times[1])
+    return mass(p) * smooth_maximum(slowing[STARTS:])
 
 
 def _end_of_overlap(run: Run) -> float:
