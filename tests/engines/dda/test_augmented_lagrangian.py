@@ -28,15 +28,15 @@ from vv.ask import Ask, Displacement, History, Knobs, Run
 from vv.base.metrics import observed_order
 from vv.case import Series
 from vv.engines.dda import BORNE, DEFAULT, refuses
-from vv.engines.dda.general.augmented.multipliers import EPS, ROUNDINGS
+from vv.engines.dda.general.augmented.forces import EPS, ROUNDINGS
 from vv.engines.dda.limits import HELD
 from vv.engines.dda.solve import LEAPT
 from vv.plan.project import find
 from vv.scene import Contact, Scene, Vector
 
 STEPS = (4e-3, 2e-3, 1e-3)
-WEDGE, SHAKEN_WEDGE, INCLINE = (
-    find().load_case(name) for name in ("wedge", "shaken-wedge", "incline")
+WEDGE, SHAKEN_WEDGE, INCLINE, RESPONDING = (
+    find().load_case(name) for name in ("wedge", "shaken-wedge", "incline", "responding-block")
 )
 SHAKEN = shaken((0.3, 0.2, 0.0), (1.0, 1.3, 1.0), 0.3)
 STACK = stack(NONE)
@@ -180,6 +180,17 @@ def test_momentum_is_as_right_as_forces_are_in_fine_steps() -> None:
     """Stiffer springs, where the rest is rounding, would turn that of displacements into forces."""
     shaken_slope = INCLINE.defaults("newmark-30") | {"f": 2.0, "duration": 0.2}
     ask = INCLINE.declare("newmark-30", shaken_slope).study.ask(Knobs(1e-5, 1e8))
+    ledger = run(ask, BORNE).ledger
+    assert ledger is not None
+    seen, _ = ledger.audits["error of the momentum balance [N]"]
+    assert seen <= HELD * ask.scene.blocks[0].mass * G
+
+
+@pytest.mark.parametrize("dt", [2.5e-4, 1e-4])
+def test_momentum_is_as_right_where_four_corners_begin_to_slide(dt: float) -> None:
+    """Springs stiffen until friction has turned, but do not leave rounding in the balance."""
+    given = RESPONDING.defaults("3d-turning") | {"f": 1.56, "fy": 1.44, "duration": 0.23}
+    ask = RESPONDING.declare("3d-turning", given).study.ask(Knobs(dt, 1e10))
     ledger = run(ask, BORNE).ledger
     assert ledger is not None
     seen, _ = ledger.audits["error of the momentum balance [N]"]

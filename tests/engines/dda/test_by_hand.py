@@ -10,11 +10,8 @@ import pytest
 
 from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.assemble import contact_force
-from vv.engines.dda.general.augmented.multipliers import (
-    energy_of_fall,
-    gap_rounding,
-    take_over_forces,
-)
+from vv.engines.dda.general.augmented.forces import gap_rounding, take_over_forces
+from vv.engines.dda.general.augmented.multipliers import energy_of_fall
 from vv.engines.dda.general.setting import Law, Trial
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM
@@ -99,11 +96,16 @@ class Borne(NamedTuple):
     push: Vector
     spring: Vector
     direction: Vector
+    column: Index
+    field: Vector
+    columns: Index
 
 
-def _taken_over(touch: Any, used: Index, rub: Vector, relative: Vector, gap: Vector) -> Any:
-    trial = Trial(used, rub, 0.0 * rub, relative)
-    return take_over_forces(touch, trial, gap, Law(KN, KS, MU, 1.0))
+def _taken_over(
+    touch: Any, used: Index, rub: Vector, relative: Vector, gap: Vector, shut: Vector, u: Vector
+) -> Any:
+    trial = Trial(used, rub, shut, relative)
+    return take_over_forces(touch, trial, gap, u, Law(KN, KS, MU, 1.0))
 
 
 taken_over: Any = numba.njit(_taken_over)
@@ -119,10 +121,14 @@ def three_contacts() -> dict[str, Any]:
         np.zeros(3),
         np.array([[0.0, 0.0, 0.0], [1e-3, 2e-3, 0.0], [0.0, 1.875e-3, 0.0]]),
         np.array([[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
+        np.zeros((3, 1), int),
+        np.full((3, 1, 3), [0.0, -2.0, 0.0]),
+        np.ones(3, int),
     )
     rub = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 750.0, 0.0]])
     relative = np.array([[0.0, 0.0, 1e-4], [0.0, 0.0, 1e-6], [1e-2, 0.0, 0.0]])
-    return {"touch": touch, "used": USED, "rub": rub, "relative": relative, "gap": np.zeros(3)}
+    moves = {"relative": relative, "gap": np.zeros(3), "shut": np.zeros((3, 3)), "u": np.zeros(1)}
+    return {"touch": touch, "used": USED, "rub": rub, **moves}
 
 
 def test_multipliers_take_over_what_springs_bear() -> None:
@@ -173,4 +179,21 @@ def test_friction_turns_slowly_where_slip_is_faint(slip: float, before: float, t
     contacts["touch"].gap[2] -= opened
     contacts["touch"].spring[2, 0] = before
     assert (KS * slip < FIRM * MU * 1500.0) == (slip < 1e-3)
+    assert taken_over(*contacts.values())[2] is turns
+
+
+@pytest.mark.parametrize(("share", "turns"), [(0.9, True), (1.1, False)])
+@pytest.mark.parametrize("moved", ["u", "shut"])
+def test_friction_that_turns_by_rounding_of_displacements_does_not_turn(
+    moved: str, share: float, turns: bool
+) -> None:
+    """One unknown and a wall are two terms of a slip, whose sum is rounded by 2 eps of their size.
+
+    Stiffer springs would only turn it farther.
+    """
+    contacts = three_contacts()
+    contacts["touch"].spring[2, 0] = 1e-4
+    contacts["relative"][2, 0] = 1e-5
+    size = share * 1e-4 / (2 * 2.0**-52)
+    contacts["u"][0], contacts["shut"][2, 1] = (size / 2, 0.0) if moved == "u" else (0.0, size)
     assert taken_over(*contacts.values())[2] is turns

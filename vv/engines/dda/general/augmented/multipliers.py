@@ -10,6 +10,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from vv.engines.dda.general.augmented.forces import (
+    gap_rounding,
+    length,
+    shorten_springs,
+    take_over_forces,
+)
 from vv.engines.dda.general.bodies import Bodies, Motion
 from vv.engines.dda.general.contact import States, Touch, restore_states, states_of
 from vv.engines.dda.general.energy import (
@@ -22,21 +28,12 @@ from vv.engines.dda.general.energy import (
 )
 from vv.engines.dda.general.iterate import inertia_stiffness, iterate, trial_of
 from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
-from vv.engines.dda.law import OPEN, SLIDE, STICK
+from vv.engines.dda.law import SLIDE, STICK
 from vv.engines.dda.limits import FIRM, HELD, PATIENT, SLOW, STUCK
 from vv.engines.kernels.arrays import larger, same_numbers, smaller
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Vector
-
-EPS = float(np.finfo(float).eps)
-ROUNDINGS = 1024.0  # of coordinates: the random walk of a million rounded steps
-
-
-@lent
-def length(a: Triple) -> float:
-    """The length of a vector."""
-    return float(np.sqrt(dot(a, a)))
 
 
 @lent
@@ -49,64 +46,6 @@ def energy_of_fall(bodies: Bodies, reach: float) -> float:
     for i in range(len(bodies.mass)):
         total += reach * length(add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i)))
     return total
-
-
-@lent
-def take_over_forces(
-    touch: Touch, trial: Trial, gap: Vector, law: Law
-) -> tuple[float, float, bool]:
-    """Set touch.push and touch.spring to the whole contact forces, which the multipliers take over.
-
-    gap: (c,) actual gaps before the step [m]; touch.spring is a force divided by ks. Returns the
-    largest force [N]; the largest error of a force [N], either carried by a spring or violating the
-    contact law; and whether friction still rotates slowly somewhere. A pass rotates friction by the
-    slip times ks over mu N.
-    """
-    used, rub, relative = trial.used, trial.rub, trial.relative
-    stiff, shear, mu = law.kn, law.ks, law.mu
-    off, most, turns = 0.0, 0.0, False
-    for k in range(len(touch.key)):
-        n, moves = at(touch.normal, k), at(relative, k)
-        opened, spring = dot(moves, n), NOWHERE
-        push = -stiff * (touch.gap[k] + opened)
-        if used[k] == OPEN:
-            off, push = larger(off, push), 0.0
-        else:
-            off = larger(larger(off, stiff * abs(gap[k] + opened)), -push)
-            most = larger(most, push)
-        if used[k] == STICK:
-            slip = add_scaled(moves, -opened, n)
-            spring = add_scaled(at(touch.spring, k), 1.0, slip)
-            off = larger(larger(off, shear * length(slip)), shear * length(spring) - mu * push)
-        elif used[k] == SLIDE and shear > 0.0:
-            spring = add_scaled(NOWHERE, 1.0 / shear, at(rub, k))
-            turned = add_scaled(spring, -1.0, at(touch.spring, k))
-            off = larger(off, shear * length(turned))
-            slip = add_scaled(moves, -opened, n)
-            faint = shear * length(slip) < FIRM * mu * push
-            turns = turns or (faint and shear * length(turned) > HELD * mu * push)
-            due = add_scaled(NOWHERE, mu * push, at(touch.direction, k))
-            off = larger(off, length(add_scaled(due, -1.0, at(rub, k))))
-        touch.push[k] = push
-        put(touch.spring, k, spring)
-    return most, off, turns
-
-
-@lent
-def gap_rounding(motion: Motion) -> float:
-    """The size below which a gap [m] is rounding of the coordinates from which it is computed."""
-    far = 0.0
-    for k in range(len(motion.vertex)):
-        far = larger(far, length(at(motion.vertex, k)))
-    return ROUNDINGS * EPS * far
-
-
-@lent
-def shorten_springs(touch: Touch, gap: Vector, stiff: float, times: float) -> None:
-    """Shorten springs by what multipliers carry, when springs become `times` as stiff."""
-    for k in range(len(touch.key)):
-        touch.gap[k] = gap[k] - touch.push[k] / stiff
-        put(touch.spring, k, add_scaled(NOWHERE, 1.0 / times, at(touch.spring, k)))
 
 
 @lent
@@ -126,6 +65,34 @@ def go_back(touch: Touch, kept: States, work: Work, u: Vector) -> None:
 
 
 @called
+def iterate_softly(
+    touch: Touch, work: Work, setting: Setting, motion: Motion, law: Law, part: Part, gap: Vector,
+    trial: Trial,
+) -> tuple[int, Trial]:  # fmt: skip
+    """Repeat `iterate` with these springs, from multipliers that stiffer ones have found.
+
+    The stiffer springs turn rounding of displacements into forces that nothing balances. Passes end
+    when springs carry nothing; one that does not converge is undone, and so is one that leaves more
+    than STUCK. gap: (c,) before the step [m]; trial: the solution so far. Returns how many
+    solutions were made, and the last that holds.
+    """
+    solved, before, last = 0, np.inf, trial
+    for _ in range(PATIENT):
+        shorten_springs(touch, gap, law.kn, 1.0)
+        kept, u = states_of(touch), same_numbers(work.u, len(work.u))
+        still, more, trial = iterate(touch, work, setting, motion, law, part)
+        solved += more
+        force, off, _ = take_over_forces(touch, trial, gap, work.u, law)
+        if not still or off > STUCK * before:
+            go_back(touch, kept, work, u)
+            break
+        before, last = off, trial
+        if off <= HELD * force:
+            break
+    return solved, last
+
+
+@called
 def iterate_multipliers(
     touch: Touch, work: Work, setting: Setting, motion: Motion, part: Part
 ) -> tuple[bool, int, Trial]:
@@ -134,14 +101,16 @@ def iterate_multipliers(
     The stiffnesses of springs are first raised above the inertia of contacts, and again after
     passes that leave more than SLOW of the forces, unless the rest is rounding and friction has
     rotated with the slip. A pass that does not converge is repeated once with all contacts
-    sticking; where it follows one that left rounding alone, that one is the solution. The normal
-    forces in touch become the multipliers, and its springs the tangential multipliers over ks.
+    sticking; where it follows one that left rounding alone, that one is the solution. At the end
+    springs are softened again, see `iterate_softly`. The normal forces in touch become the
+    multipliers, and its springs the tangential multipliers over ks.
     """
     most, kn, ks = setting.choices.multipliers, setting.law.kn, setting.law.ks
     gap, firm = same_numbers(touch.gap, len(touch.key)), kn
     for light in inertia_stiffness(touch, touch.state, setting.bodies, part.length, part.weight):
         firm = larger(firm, FIRM * light)
-    times, passes, solved, before, ended, anew = firm / kn, 0, 0, np.inf, False, False
+    soft, times, passes, solved = firm, firm / kn, 0, 0
+    before, ended, anew = np.inf, False, False
     blur, last = gap_rounding(motion), trial_of(touch, work.moved)
     shorten_springs(touch, gap, firm, times)
     while True:
@@ -149,7 +118,7 @@ def iterate_multipliers(
         kept, u = states_of(touch), same_numbers(work.u, len(work.u))
         still, more, trial = iterate(touch, work, setting, motion, law, part)
         solved, passes = solved + more, passes + 1
-        force, off, turns = take_over_forces(touch, trial, gap, law)
+        force, off, turns = take_over_forces(touch, trial, gap, work.u, law)
         slow, close = off > SLOW * before, off <= HELD * force
         undone = not still and before <= firm * blur
         stuck = undone or (still and STUCK * before < off <= firm * blur)
@@ -165,6 +134,12 @@ def iterate_multipliers(
         grow = 10.0 if slow and (turns or off > firm * blur) else 1.0
         before, firm, times, last = off if still else np.inf, firm * grow, times * grow, trial
         shorten_springs(touch, gap, firm, grow)
+    if ended and firm > soft:
+        times = soft / kn
+        law = Law(soft, ks * times, setting.law.mu, setting.law.hold)
+        shorten_springs(touch, gap, soft, soft / firm)
+        more, trial = iterate_softly(touch, work, setting, motion, law, part, gap, trial)
+        solved += more
     shorten_springs(touch, gap, np.inf, 1.0 / times)
     return ended, solved, trial
 
