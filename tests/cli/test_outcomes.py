@@ -74,6 +74,13 @@ def test_a_hanging_code_times_out(tiny: Tiny) -> None:
     assert "no answer in time" in done.stderr
 
 
+def test_steps_too_many_for_the_time_are_not_begun(tiny: Tiny) -> None:
+    words = ("fall:up", "--codes", "fake/hangs", "--rung", "dt=1e-14", "--timeout", "3")
+    done = tiny.vv("run", *words)
+    assert done.returncode == int(Bit.TIMEOUT | Bit.INCOMPLETE)
+    assert "for 1e+14 steps of 1e-14 s; not begun" in done.stdout
+
+
 def test_an_absent_code_is_an_error_only_if_required(tiny: Tiny) -> None:
     words = ("fall:up", "--codes", "fake/good,missing")
     assert records(tiny, *words)[0] == 0

@@ -84,7 +84,10 @@ def test_a_cluster_answers_as_this_machine_does_and_a_death_costs_its_own_batch(
     assert told["fake/good"] == "ran: "
     assert told["fake/refuses"] == "refused: it does not feel like it"
     assert told["fake/raises"].startswith("error: RuntimeError: a bug in the code")
-    assert told["fake/hangs"] == "timeout: no answer in time, --timeout 1 s; no output"
+    assert (
+        told["fake/hangs"]
+        == "timeout: no answer in time, --timeout 1 s for 10 steps of 0.1 s; no output"
+    )
     assert told["fake/killed"].startswith("error: the worker was killed by SIGKILL; ")
     assert told["killer/default"].startswith("error: the worker failed: KilledWorker")
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from vv.ask import Run, Status
+from vv.ask import Knobs, Run, Status
 from vv.codes import Found
 from vv.codes.reused_program import ReusedProgram
 from vv.run import runner
@@ -70,7 +70,9 @@ class Starting(Deadly):
 
 def batch(code: Any, numbers: range, stays: bool = False) -> Batch:
     """Asks that have no more than a number."""
-    asks: list[Any] = [SimpleNamespace(search=None, number=number) for number in numbers]
+    asks: list[Any] = [
+        SimpleNamespace(search=None, knobs=Knobs(), number=number) for number in numbers
+    ]
     return Batch(code, "default", tuple(numbers), tuple(asks), stays=stays)
 
 

@@ -20,7 +20,7 @@ from vv.records.quantity import MeasuredQuantity
 from vv.records.record import measured, summarised
 from vv.run.batching import batches
 from vv.run.executor import Executor
-from vv.run.limits import Limits
+from vv.run.limits import Limits, hopeless
 from vv.run.process import failed
 from vv.scene import Vector
 from vv.store.store import Store
@@ -56,10 +56,13 @@ def records_of(
         else:
             unknown[number] = job
     settle([*unknown.values()], limits.workers)
-    waiting = {number: job for number, job in unknown.items() if job.settled is None}
+    waiting = {}
     for number, job in unknown.items():
-        if job.settled is not None:
-            yield number, _measured(plan, job, job.settled, stored.records[number], store)
+        outcome = job.settled or hopeless(job.ask, limits.timeout)
+        if outcome is None:
+            waiting[number] = job
+        else:
+            yield number, _measured(plan, job, outcome, stored.records[number], store)
     begin(len(waiting))
     loads = {plan.found[job.code].load for job in waiting.values()}
     for load in filter(None, loads):

@@ -15,8 +15,6 @@ from vv.run.rounds import Timed, rounds
 from vv.run.runner import run_batches
 from vv.store.provenance import machine
 
-LOCAL = "local"
-
 
 class Executor(Protocol):
     """An executor answers batches and yields runs in any order, each once it is complete."""

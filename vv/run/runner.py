@@ -21,6 +21,7 @@ from vv.base.processes import (
     end_with_descendants,
     name_of_signal,
 )
+from vv.run.limits import late
 from vv.run.process import Batch, work
 
 GRACE = 5.0  # additional s for a batch, for the start of its program
@@ -131,8 +132,7 @@ def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]
     refused_to_go_on = worker.hung_up and worker.process.exitcode == 0 and worker.answered > 0
     if left.asks and not refused_to_go_on:
         status = Status.ERROR if worker.hung_up else Status.TIMEOUT
-        late = f"no answer in time, --timeout {worker.timeout:g} s"
-        how = _how_it_died(worker) if worker.hung_up else late
+        how = _how_it_died(worker) if worker.hung_up else late(left.asks[0], worker.timeout)
         yield left.numbers[0], Run(status, f"{how}; see {worker.scratch}")
         worker.failed = True
         left = left.rest(1)

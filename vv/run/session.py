@@ -16,8 +16,8 @@ from vv.records.job_record import JobCost, Record
 from vv.records.manifest import CodeFound, Machine, Manifest
 from vv.run.answering import StoredJobs, records_of
 from vv.run.case_facts import case_facts_of
-from vv.run.executor import LOCAL, Executor, Local
-from vv.run.limits import MEASURED, Limits, Timing
+from vv.run.executor import Executor, Local
+from vv.run.limits import LOCAL, MEASURED, Limits, Timing
 from vv.run.timing_phase import gaps, last_costs, timed_costs
 from vv.store.provenance import machine, provenance, run_name
 from vv.store.store import Store
