@@ -71,8 +71,13 @@ def test_of_each_scheme_the_newest_results_are_shown_with_their_day() -> None:
         records = [record(label, "T1", 1e-3, quantities=[one]) for label, one in judged.items()]
         return manifest(*records, provenance=dataclasses.replace(NOWHERE, utc=day))
 
+    refused = record("b/x", "T1", 1e-3, status="refused", reason="it has no drag")
     found = explain._last_results(
-        [run("day 2", {"a/x": 2e-4}), run("day 1", {"a/x": 1e-4, "b/x": 3e-4})]
+        [
+            manifest(refused, provenance=dataclasses.replace(NOWHERE, utc="day 3")),
+            run("day 2", {"a/x": 2e-4}),
+            run("day 1", {"a/x": 1e-4, "b/x": 3e-4}),
+        ]
     )
     assert found == {
         ("bounce", "T1", "a", "x"): ["day 2", "dt 0.001: pass: y: error 0.0002, allowed 0.001"],
@@ -104,9 +109,19 @@ def test_a_variant_is_told_with_its_own_values_terms_freedoms_and_last_results(
         trials={
             ("bounce", "T2"): SimpleNamespace(study=SimpleNamespace(scene=scene), quantities=())
         },
-        jobs=[job, lacks, was, changed_job(job, variant="T1", scheme="only there")],
+        jobs=[
+            job,
+            lacks,
+            was,
+            changed_job(job, variant="T1", scheme="only there"),
+            changed_job(job, code="p"),
+        ],
         adapters={
-            "a": SimpleNamespace(describe=lambda ask, _: SimpleNamespace(note="one freedom"))
+            "a": SimpleNamespace(describe=lambda ask, _: SimpleNamespace(note="one freedom")),
+            "p": SimpleNamespace(
+                describe=lambda ask, _: SimpleNamespace(note=""),
+                schemes=(SimpleNamespace(name="x", summary="velocities first"),),
+            ),
         },
     )
     explain._explain_variant(plan, case, "T2", {("bounce", "T2", "a", "z"): ["day 1", "it ran"]})
@@ -125,6 +140,8 @@ def test_a_variant_is_told_with_its_own_values_terms_freedoms_and_last_results(
         "  a/z: has no drag",
         "    last result: day 1",
         "      it ran",
+        "  p/x: velocities first",
+        "    last result: none yet",
     ]
 
 

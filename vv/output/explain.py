@@ -26,7 +26,7 @@ from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.outcomes import Outcome
 from vv.records.quantity import MeasuredQuantity
-from vv.records.reading import changed
+from vv.records.reading import changed, tried
 from vv.records.recorded import RecordedResult
 
 Result = TypeVar("Result", Record, RecordedResult)
@@ -90,9 +90,11 @@ def _explain_variant(
 
 
 def _model_or_refusal(plan: Plan, job: Job) -> str:
-    """The model that a scheme builds for a job, or why it does not run the job."""
+    """The model that a scheme builds for a job, else its summary, or why it does not run it."""
     if job.settled is None:
-        return plan.adapters[job.code].describe(job.ask, job.scheme).note
+        adapter = plan.adapters[job.code]
+        note = adapter.describe(job.ask, job.scheme).note
+        return note or next(one.summary for one in adapter.schemes if one.name == job.scheme)
     reason = job.settled.reason
     lacks = reason.removeprefix(f"{job.code}/{job.scheme} ")
     came = in_words(Outcome(job.settled.status.value))
@@ -164,12 +166,19 @@ def _by_scheme(results: Iterable[Result]) -> dict[tuple[str, ...], list[Result]]
 
 
 def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[str]]:
-    """The newest result of each (case, variant, code, scheme): when, then each rung in words."""
+    """The newest result of each (case, variant, code, scheme): when, then each rung in words.
+
+    Runs in which the scheme tried no rung say no more than that it refuses, and are left out.
+    """
     found: dict[tuple[str, ...], list[str]] = {}
     for manifest in manifests:
         own = _by_scheme(manifest.records)
         when = manifest.provenance.utc
-        newest = {place: [when, *map(_in_words, records)] for place, records in own.items()}
+        newest = {
+            place: [when, *map(_in_words, records)]
+            for place, records in own.items()
+            if any(map(tried, records))
+        }
         found = {**newest, **found}
     return found
 
