@@ -15,7 +15,7 @@ BAD = {
     "run fal": "no case or family 'fal'; did you mean fall?",
     "run up": "no case or family 'up'; it is a variant: say fall:up",
     "list -k nosuch": "-k 'nosuch' matches no variant; `vv list` shows all",
-    "run fall:upp": "no variant 'upp'; did you mean up?",
+    "run fall:upp": "fall has no variant 'upp'; did you mean up?",
     "run fall --codes ,": "--codes ',' names no code",
     "run fall --codes fke": "no code 'fke'; did you mean fake",
     "run fall --codes fake/god": "did you mean fake/good",

@@ -231,4 +231,4 @@ def test_diff_and_history_on_the_command_line(tiny: Tiny) -> None:
     assert "0.01 -> 0.02 (x 2)" in said
     assert "fake/good" not in "".join(said.splitlines()[2:])
     said = tiny.vv("history", "fall").stdout
-    assert "fake/first-order: 3 fail, error 20 of the tolerance" in said
+    assert "fake/first-order: 3 fail, error 20 times the tolerance" in said

@@ -162,7 +162,7 @@ def test_history_tells_of_each_scheme_what_there_is(told: Told) -> None:
     )  # fmt: skip
     result_lines.print_history("bounce", [point])
     assert lines(told) == [
-        "bounce at c0ffee, today", "  a: 1 pass, error 0.5 of the tolerance",
+        "bounce at c0ffee, today", "  a: 1 pass, error 0.5 times the tolerance",
         "  b: 2 pass, cost 3 calibration kernels",
     ]  # fmt: skip
     result_lines.print_history("bounce", [])

@@ -285,11 +285,11 @@ def test_what_is_not_judged_is_shown_with_its_largest_error_unless_another_is_ju
     assert (row.error, row.allowed) == (1e-9, 1e-3)
 
 
-def test_schemes_are_told_by_code_and_outcome_one_by_name_and_more_by_number() -> None:
+def test_schemes_are_told_by_code_and_outcome_two_by_name_and_more_by_number() -> None:
     def none(label: str, status: str) -> Record:
         return record(label, "T1", 1e-3, status=status, reason="no")
 
-    refused = [none(label, "refused") for label in ("a/x", "b/y", "b/z", "b/v", "c/w")]
+    refused = [none(label, "refused") for label in ("a/x", "a/y", "b/y", "b/z", "b/v", "c/w")]
     ran_too = record("c/w", "T2", 1e-3, quantities=[entry("pass", {"max": 0.0})])
     said = unsupported([*refused, ran_too, none("d/v", "not-installed"), none("b/u", "too-long")])
-    assert said == "not supported: a/x, b (3 schemes); not installed: d/v; too long: b/u"
+    assert said == "not supported: a/x, a/y, b (3 schemes); not installed: d/v; too long: b/u"

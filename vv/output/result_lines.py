@@ -182,6 +182,6 @@ def print_history(case: str, points: Sequence[Point]) -> None:
             near = point.closeness.get(scheme)
             cost = point.cost.get(scheme)
             parts = [listed(counts)]
-            parts += [f"error {near:.3g} of the tolerance"] if near is not None else []
+            parts += [f"error {near:.3g} times the tolerance"] if near is not None else []
             parts += [f"cost {cost:.3g} calibration kernels"] if cost is not None else []
             say(f"  {scheme}: {', '.join(parts)}")

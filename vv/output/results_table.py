@@ -27,6 +27,7 @@ COUNTED = (
     "pass",
 )  # verdicts that are counted separately
 STABLE = "stable to"  # before the step that a search found
+NAMED = 2  # the most schemes of a code that a line names; more are counted
 RANKS = (Outcome.XFAIL, Outcome.BLOW_UP, Outcome.PASS, Outcome.NO_REFERENCE)
 Place = tuple[str, str, str]  # case, variant, scheme
 
@@ -205,12 +206,14 @@ def by_outcome(outcomes: Mapping[str, Outcome]) -> str:
 
 
 def _by_code(labels: Iterable[str]) -> list[str]:
-    """Schemes by code: dda/default, dda/lagged as dda/{default,lagged}."""
+    """Schemes by code: by name, or their number if a code has more than `NAMED`."""
     codes: dict[str, list[str]] = {}
     for label in labels:
         code, _, scheme = label.partition("/")
         codes.setdefault(code, []).append(scheme)
     return [
-        f"{code}/{own[0]}" if len(own) == 1 else f"{code} ({len(own)} schemes)"
+        f"{code} ({len(own)} schemes)"
+        if len(own) > NAMED
+        else ", ".join(f"{code}/{scheme}" for scheme in own)
         for code, own in codes.items()
     ]

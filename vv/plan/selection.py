@@ -43,7 +43,8 @@ def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
     found = {name: fnmatch.filter(own, variant_pattern or "*") for name, own in known.items()}
     if not any(found.values()):
         names = itertools.chain.from_iterable(known.values())
-        raise UsageError(f"no variant '{variant_pattern}'{name_hint(variant_pattern, names)}")
+        hint = name_hint(variant_pattern, names)
+        raise UsageError(f"{case_pattern} has no variant '{variant_pattern}'{hint}")
     return found
 
 

@@ -24,7 +24,7 @@ def parameters_with_settings(case: Case, variant: str, settings: Sequence[str]) 
     parameters = case.defaults(variant)
     by_name = {p.name: p for p in case.parameters}
     for text in settings:
-        name, equals, value = text.partition("=")
+        name, equals, value = (word.strip() for word in text.partition("="))
         if not equals:
             raise UsageError(f"--set {text}: expected NAME=VALUE[UNIT]")
         if name not in by_name:
