@@ -111,7 +111,7 @@ def test_explain_shows_formula_parameters_tolerances_and_the_last_result(tiny: T
         "y = v t - g t^2/2",
         "Galileo (1638)",
         "speed = 5 m/s  initial velocity",
-        "radius = 0.1 m  radius  (inert)",
+        "radius = 0.1 m  radius  (inert: not in the exact answer)",
         "second order in dt: 0.001 at dt = 0.1 s, as dt^1: the tiny project says so",
         "fake/coarse: a formula",
         "dt 0.025: fail: y: error 0.01, allowed 0.00025",

@@ -130,7 +130,7 @@ def test_a_variant_is_told_with_its_own_values_terms_freedoms_and_last_results(
         "bounce:T2: it falls",
         "  formula: y = t",
         "  m = 4 kg  mass",
-        "  g = 5 m/s^2  pull  (inert)",
+        "  g = 5 m/s^2  pull  (inert: not in the exact answer)",
         "  mu = 6   rub  (changed)  (not seen: smooth)",
         f"  terms: {Term.GRAVITY.value}, {Term.DRAG.value}",
         "  unknowns: 7",

@@ -70,7 +70,11 @@ def _explain_variant(
     for p in case.parameters:
         hidden = variant.unseen.get(p.name)
         note = (
-            "  (inert)" if p.name in variant.inert else f"  (not seen: {hidden})" if hidden else ""
+            "  (inert: not in the exact answer)"
+            if p.name in variant.inert
+            else f"  (not seen: {hidden})"
+            if hidden
+            else ""
         )
         mark = "  (changed)" if p.name in modified else ""
         say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{mark}{note}")
