@@ -163,6 +163,24 @@ def test_a_wedge_that_friction_holds_stays_in_the_narrowest_groove(held: float) 
     assert excess <= allowed
 
 
+@pytest.mark.parametrize("held", [0.5, 0.9, 0.95, 1.1, 1.3])
+@pytest.mark.parametrize("dip", [15.0, 20.0, 30.0, 40.0])
+def test_a_wedge_in_the_narrowest_groove_is_pressed_in_a_fine_step_too(
+    dip: float, held: float
+) -> None:
+    """Forces were taken for rounding that still grew, since their springs had just stiffened."""
+    ask = wedge(1e-6, dip, held, Knobs(1e-3, 1e9))
+    done = run(ask, BORNE)
+    assert len(done.times) == 51, done.reason
+    way = moved(done) @ ask.scene.axes[0]
+    fall = 0.5 * G * done.times**2
+    due = max(0.0, 1.0 - held) * math.sin(math.radians(dip)) * fall
+    rounded = EPS / 1e-6**2 * (held * due[-1] / (1.0 - held) if held < 1.0 else fall[-1])
+    assert np.abs(way - due).max() <= rounded
+    if held < 1.0:  # at rest all energies are rounding, as is the path that bounds their error
+        closes(done)
+
+
 def test_a_wedge_that_friction_all_but_holds_begins_to_slide_as_it_should() -> None:
     """Its first slips are 1e-11 m; friction across them would hold it."""
     near = {**SHAKEN_WEDGE.defaults("level"), "dip": 33.2, "xi": 1.18, "A": 1.92, "duration": 0.3}

@@ -86,8 +86,12 @@ FIRM = 10.0
 SLOW = 0.1
 """If a pass leaves more than this part of the springs' forces, springs become ten times stiffer."""
 
-STUCK = 0.5
-"""If a pass leaves more than this part, the springs' forces may be due to rounding of gaps."""
+STUCK = 0.9
+"""If a pass leaves more than this part, the springs' forces may be due to rounding of gaps.
+
+Where gaps of corners differ by rounding, what a pass leaves falls as the inverse of their number,
+and the forces of a narrow wedge converge meanwhile.
+"""
 
 PATIENT = 12
 """The passes after which friction may be left that still rotates where hardly anything slips.

@@ -110,7 +110,7 @@ def iterate_multipliers(
     for light in inertia_stiffness(touch, touch.state, setting.bodies, part.length, part.weight):
         firm = larger(firm, FIRM * light)
     soft, times, passes, solved = firm, firm / kn, 0, 0
-    before, ended, anew = np.inf, False, False
+    before, ended, anew, grow = np.inf, False, False, 1.0
     blur, last = gap_rounding(motion), trial_of(touch, work.moved)
     shorten_springs(touch, gap, firm, times)
     while True:
@@ -121,7 +121,8 @@ def iterate_multipliers(
         force, off, turns = take_over_forces(touch, trial, gap, work.u, law)
         slow, close = off > SLOW * before, off <= HELD * force
         undone = not still and before <= firm * blur
-        stuck = undone or (still and STUCK * before < off <= firm * blur)
+        even = grow == 1.0 or turns  # else springs that stiffened may bear more, and converge
+        stuck = undone or (still and even and STUCK * before < off <= firm * blur)
         ended = close or (stuck and (not turns or passes >= PATIENT))
         if ended and undone and not close:
             go_back(touch, kept, work, u)
