@@ -56,7 +56,7 @@ BUGS = (
     Bug("the best stiffness at the coarsest step", "reports/drawing/maps.py", "self.error[:, int(np.argmax(columns))]", "self.error[:, -1]", tests="tests/reports/drawing/test_map.py"),
     Bug("a rank's order fitted over all stiffnesses", RANKING, "own = [r for r in pile if r.rung.kn == pile[-1].rung.kn]", "own = pile", tests="tests/reports/variant/test_variant_decisions.py"),
     Bug("patterns sought over all stiffnesses", "vv/insight/diagnosis.py", "return [r for r in own if r.rung.kn == own[-1].rung.kn]", "return own", tests="tests/insight/test_diagnosis.py"),
-    Bug("the last results are the oldest", "vv/output/explain.py", "for place, records in own.items()}\n        found = {**newest, **found}", "for place, records in own.items()}\n        found = {**found, **newest}", tests="tests/output/test_explained_agreement.py"),
+    Bug("the last results are the oldest", "vv/output/explain.py", "for place, records in own.items()\n            if any(map(tried, records))\n        }\n        found = {**newest, **found}", "for place, records in own.items()\n            if any(map(tried, records))\n        }\n        found = {**found, **newest}", tests="tests/output/test_explained_agreement.py"),
     Bug("points of a picture in the order of settings", "vv/output/gallery/error_cost.py", "zip(*sorted(points), strict=True)", "zip(*points, strict=True)", tests="tests/output/gallery/test_error_cost.py"),
     Bug("what a tolerance adds for late events left out", "vv/output/wording.py", "    if one.late:\n", "    if False:\n", tests="tests/output/test_explained_agreement.py"),
     Bug("stored jobs of a dry run counted by scheme", "vv/output/listing.py", "kept = sum(len(own) for", "kept = sum(1 for", tests="tests/output/test_listing.py"),
