@@ -28,6 +28,7 @@ from vv.case import (
 
 LAYERS = {"five-layers": 5}
 MANY, UNLIKE = 15, "unlike"
+FINEST = 8e-3  # s, of the steps
 LASTING = 0.7  # of the duration: motion after that counts as steady
 LEFT = 0.02  # of the free oscillation then, a part of which is a tenth of the motion
 
@@ -35,7 +36,7 @@ LEFT = 0.02  # of the free oscillation then, a part of which is a tenth of the m
 def _declare(variant: str, p: Parameters) -> Trial:
     layers = LAYERS.get(variant, MANY)
     _check(p)
-    goal = History(p["duration"], RUNGS[-1].dt or 1.0)
+    goal = History(p["duration"], FINEST)
     unlike = variant == UNLIKE
     scene = column(p, layers, unlike)
     study = Ladder(scene, goal, (Displacement(layers),), dict.fromkeys(Level, RUNGS))
@@ -45,7 +46,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _check(p: Parameters) -> None:
     """Raise ValueError if the step leaves more than LEFT of the free oscillation."""
     first = np.pi * speed(p) / (2 * p["H"])  # of the column, 1/s; its damping ratio is w dt/4
-    needed = np.log(1 / LEFT) / (LASTING * first**2 * (RUNGS[-1].dt or 1.0) / 4)
+    needed = np.log(1 / LEFT) / (LASTING * first**2 * FINEST / 4)
     if not p["duration"] >= needed:
         raise ValueError(
             f"duration = {p['duration']!r} s; the column's free oscillation dies out in "
@@ -103,7 +104,7 @@ CONSTANT = (
     "the damping ratio of the step, w dt/4, grows with the frequency: it agrees with a constant "
     "ratio at one frequency only"
 )
-RUNGS = (Knobs(1.6e-2, 1e12), Knobs(8e-3, 1e12))
+RUNGS = (Knobs(1.6e-2, 1e12), Knobs(FINEST, 1e12))
 RATIO = (
     "R = (1 + cos qh)/(2 cos qH), cos qh = (1 - W^2h^2/3c^2)/(1 + W^2h^2/6c^2), "
     "W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2)"

@@ -33,7 +33,7 @@ PROJECT = find()
         ("standing", "arch-thin", {"part": 1.0}, "part = 1.0; it must be below 1"),
         ("standing", "arch", {"mu": 0.398}, "mu = 0.398; whatever the thrust of an arch"),
         ("standing", "arch-thin", {"mu": 0.4}, "mu = 0.4; whatever the thrust of an arch"),
-        ("tetrahedral-strength", "pressed", {"fs0": 6.88}, "inclined bonds slide at a strain of"),
+        ("tetrahedral-strength", "pressed", {"fs0": 6.88}, "of 0.001836, .* below 0.002147"),
         ("tetrahedral-strength", "pressed", {"fs0": 8.0, "m": 1e-5}, "in the wave that follows"),
         ("tetrahedral-unit", "pulled", {"kn": 1e4}, "the unit creeps to rest"),
         ("masonry", "rest", {"mu": 0.3085}, "whatever the thrust of the arch, a joint slides"),

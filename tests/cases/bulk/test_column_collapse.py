@@ -78,6 +78,17 @@ def test_the_edge_of_a_close_layer_is_where_its_grains_end() -> None:
     assert found.verdict.value == "pass"
 
 
+def test_grains_that_cover_more_than_half_of_a_circle_are_its_edge() -> None:
+    far, many = 16 * D, 64
+    turn = 2 * np.pi * np.arange(many) / many
+    ring = np.column_stack([far * np.cos(turn), far * np.sin(turn), np.full(many, D)])
+    assert many * D / (2 * np.pi * far) == pytest.approx(0.64, abs=0.01)
+    heap = np.concatenate([0.5 * _still(0.0)[many:], ring])
+    run = _run(lambda t: heap if t > 0 else _still(t), _nil)
+    found = measured(run, TRIAL.quantities[0], Method.SECOND_ORDER, Knobs(dt=1e-5))[0]
+    assert found.value == 2.25  # 16 / 5 - 1, to the nearest quarter
+
+
 def test_an_edge_of_one_grain_is_its_size_over_the_mean_slope_of_the_heap() -> None:
     judge = TRIAL.quantities[0].judge
     assert isinstance(judge, Measured)
