@@ -6,8 +6,6 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-import pytest
-
 from vv.ask import Run, Status
 from vv.codes import external
 from vv.codes.external import Process
@@ -23,14 +21,6 @@ for line in sys.stdin:
 time.sleep(0.5)
 open("cleared", "w").close()
 """
-
-
-@pytest.fixture
-def program() -> Iterator[ReusedProgram]:
-    made = ReusedProgram()
-    yield made
-    if made._waiting is not None:
-        made.dismiss(made._waiting, whole=True)
 
 
 def answers(program: ReusedProgram, folder: Path, count: int) -> Iterator[Run]:

@@ -135,7 +135,7 @@ def add_bond_forces(bonds: BondArrays, motion: Motion, dt: float) -> Triple:
     break: a call from here would have numba count references to all its arrays in every step.
     """
     compute_all(bonds, motion, dt, bonds.threads)
-    held, window = bonds.held, bonds.blocks[4]
+    held, window = bonds.held, bonds.blocks.window
     add_chunks(motion.push, bonds.pushes, window, len(held))
     add_chunks(motion.turn, bonds.torques, window, len(held))
     normal = sheared = breaking = 0.0

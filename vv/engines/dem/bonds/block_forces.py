@@ -85,7 +85,7 @@ def gather_ends(bonds: BondArrays, c: int, k: int, motion: Motion, w: Vector | N
     Meanwhile the table of the next block is loaded into the cache, if there is a next block. A
     scene with few bonds has none; the loads would cost a twentieth of its step.
     """
-    scratch, table, ends = bonds.scratch, bonds.table, bonds.blocks[0]
+    scratch, table, ends = bonds.scratch, bonds.table, bonds.blocks.ends
     u, v = motion.u, motion.v
     goes_on = k + 1 < len(table)
     for q in range(bonds_in(bonds, k)):
@@ -161,7 +161,7 @@ def add_block_forces(
 
     Return their energies [J]: those of normal and of shear springs.
     """
-    push, turn, scratch, ends = bonds.pushes, bonds.torques, bonds.scratch, bonds.blocks[0]
+    push, turn, scratch, ends = bonds.pushes, bonds.torques, bonds.scratch, bonds.blocks.ends
     normal = sheared = 0.0
     for q in range(bonds_in(bonds, k)):
         i, j = base + ends[k, q], base + ends[k, WIDE + q]

@@ -25,7 +25,7 @@ def compute_chunk(bonds: BondArrays, c: int, motion: Motion, dt: float) -> None:
     What may be None is passed on beside the bundle: numba leaves out a branch where an argument is
     None, but not where a field is.
     """
-    share, window, held, w = bonds.blocks[3], bonds.blocks[4], bonds.held, motion.w
+    share, window, held, w = bonds.blocks.share, bonds.blocks.window, bonds.held, motion.w
     base: Any = np.uint64(c * (len(bonds.pushes) // len(held)))  # unsigned: numba tests signs
     for i in range(base + np.uint64(window[c, 0]), base + np.uint64(window[c, 1])):
         put(bonds.pushes, i, NOWHERE)
@@ -34,7 +34,7 @@ def compute_chunk(bonds: BondArrays, c: int, motion: Motion, dt: float) -> None:
     normal, sheared, breaking = 0.0, 0.0, 0
     for k in range(share[c], share[c + 1]):
         gather_ends(bonds, c, k, motion, w)
-        found = compute_block(bonds, c, k, dt, bonds.blocks[2], bonds.ks, w, bonds.frail)
+        found = compute_block(bonds, c, k, dt, bonds.blocks.like, bonds.ks, w, bonds.frail)
         if found > 0:
             breaking += found
             for q in range(bonds_in(bonds, k)):

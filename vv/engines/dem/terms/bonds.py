@@ -71,7 +71,7 @@ def springs(term: Bonds, near: object) -> tuple[stable.Springs, Mask]:
 @inlined
 def begin(term: Bonds, bodies: Bodies, motion: Motion) -> None:
     """Make all bonds whole, as they are at t = 0."""
-    table = term.arrays.blocks[1]
+    table = term.arrays.blocks.table
     for k in range(table.shape[0]):
         for c in range(table.shape[1]):
             term.arrays.table[k, c] = table[k, c]

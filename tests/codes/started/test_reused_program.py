@@ -38,15 +38,6 @@ def waits(request: pytest.FixtureRequest, program: ReusedProgram) -> Iterator[bo
         yield bool(request.param)
 
 
-@pytest.fixture
-def program() -> Iterator[ReusedProgram]:
-    """A program that is ended with the test."""
-    made = ReusedProgram()
-    yield made
-    if made._waiting is not None:
-        made.dismiss(made._waiting, whole=True)
-
-
 def answers(program: ReusedProgram, folder: Path, *asks: str) -> Iterator[Run]:
     """Yield what it says to asks in a folder of their own."""
     folder.mkdir()
