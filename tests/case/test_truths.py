@@ -22,7 +22,6 @@ from vv.case import (
     Level,
     Measured,
     Measurement,
-    Parameter,
     Printed,
     Search,
     Shown,
@@ -33,7 +32,7 @@ from vv.case import (
     knob_grid,
     why_too_long,
 )
-from vv.case.case import Sign
+from vv.case.parameter import Parameter, Sign
 from vv.case.published import Assessment, Statement
 from vv.case.quantity import REST, at_rest
 
@@ -69,6 +68,27 @@ def test_a_parameter_has_the_sign_of_its_unit_unless_it_says_otherwise(
         return
     with pytest.raises(ValueError, match=rf"^p = .* {unit}; it {rule}$"):
         one.checked(value)
+
+
+def test_units_of_parameters_are_those_of_si() -> None:
+    for unit in ("", "m", "kg/m3", "N s/m", "1/s", "N/m3", "Pa s", "m2", "deg", "J/kg", "1/m s"):
+        assert Parameter("p", 1.0, unit, "what").unit == unit
+    for unit in (
+        "lb",
+        "mm",
+        "kN/m",
+        "m/",
+        "/s",
+        "1",
+        "m/s/s",
+        "m s-1",
+        "metres",
+        "m1",
+        " m",
+        "m\n",
+    ):
+        with pytest.raises(ValueError, match=r"^Parameter p: unit = '.*'; it must be of SI, such"):
+            Parameter("p", 1.0, unit, "what")
 
 
 def a_case(**defaults: float) -> Case:

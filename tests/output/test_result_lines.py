@@ -128,6 +128,13 @@ def test_a_case_without_changes_says_so(told: Told) -> None:
     assert "by far" in line
 
 
+def test_whoever_accepts_a_first_baseline_is_not_told_to_accept_one(told: Told) -> None:
+    text = "no baseline; to accept one: vv accept bounce --reason ..."
+    none = Finding(Aspect.REGRESSION, "no baseline", text, case="bounce")
+    result_lines.print_difference(manifest(findings=[none]), "bounce")
+    assert lines(told) == ["bounce: no baseline yet"]
+
+
 def test_changes_are_told_by_kind_and_what_is_left_out_is_counted(told: Told) -> None:
     kinds = [(kind, n) for kind, count in (("worse", 3), ("gone", 2)) for n in range(count)]
     changes: Any = [SimpleNamespace(kind=k, where=f"case {n}", text="moved") for k, n in kinds]

@@ -7,9 +7,7 @@ from vv.case.case import (
     Case,
     Check,
     EnergyAllowance,
-    Parameter,
     Parameters,
-    Sign,
     Source,
     Trial,
     Variant,
@@ -31,6 +29,7 @@ from vv.case.judges import (
 )
 from vv.case.measured import Measured, Measurement
 from vv.case.motion_readers import ComponentAlong, RotationAbout
+from vv.case.parameter import Parameter, Sign
 from vv.case.quantity import Count, Quantity, Scalar, Series, at_rest, error_scale, evaluated
 from vv.case.region_map import RegionMap
 from vv.case.remembered import remembered

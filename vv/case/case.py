@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from vv.ask import Knobs, Method
 from vv.case.judges import Tolerance
+from vv.case.parameter import Parameter
 from vv.case.quantity import Quantity
 from vv.case.region_map import RegionMap
 from vv.case.study import Level, Study
@@ -28,51 +29,6 @@ class Source:
     citation: str
     doi: str
     note: str = ""
-
-
-class Sign(enum.Enum):
-    """The signs that a parameter may have; the value is the rule shown to people."""
-
-    ANY = ""
-    NOT_NEGATIVE = "must not be negative"
-    POSITIVE = "must be positive"
-
-
-SIGN_OF_UNIT = {
-    **dict.fromkeys(("kg", "kg/m3", "Pa", "Pa s"), Sign.POSITIVE),
-    **dict.fromkeys(("N/m", "N s/m", "Hz"), Sign.NOT_NEGATIVE),
-}
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A physical parameter that `--set` may change, with its default value in `unit`.
-
-    sign: by default that of its unit: a mass is positive, a stiffness not negative, a length may
-    be either. whole: it counts things, and takes whole numbers alone. Raises ValueError for a
-    default that breaks a rule, as a Case does for a variant's.
-    """
-
-    name: str
-    value: float
-    unit: str
-    meaning: str
-    sign: Sign | None = None
-    whole: bool = False
-
-    def __post_init__(self) -> None:
-        self.checked(self.value)
-
-    def checked(self, value: float) -> float:
-        """The value; raises ValueError with the rule that it breaks: sign, finite or whole."""
-        sign = self.sign or SIGN_OF_UNIT.get(self.unit, Sign.ANY)
-        wrong = (sign is Sign.POSITIVE and value <= 0) or (sign is Sign.NOT_NEGATIVE and value < 0)
-        rule = sign.value if wrong else "" if math.isfinite(value) else "must be finite"
-        if not rule and self.whole and not value.is_integer():
-            rule = "must be a whole number"
-        if rule:
-            raise ValueError(f"{self.name} = {value!r} {self.unit}".strip() + f"; it {rule}")
-        return value
 
 
 @dataclass(frozen=True)

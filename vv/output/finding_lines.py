@@ -86,7 +86,12 @@ def _line(one: Folded) -> str:
 
 
 def since_accepted(found: Finding) -> str:
-    """The place and the text of a finding; for a change, also the kind of change."""
+    """The place and the text of a finding; for a change, also the kind of change.
+
+    Of a case without a baseline only this is said, since whoever reads it is about to accept one.
+    """
+    if found.kind == Change.NO_BASELINE.value:
+        return f"{found.case}: no baseline yet"
     where = f"{found.where}: " if found.where else ""
     return f"{where}{THAN.get(found.kind, '')}{found.text}"
 
