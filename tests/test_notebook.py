@@ -63,6 +63,18 @@ def test_a_file_edited_since_it_was_loaded_is_named_and_nothing_is_judged_by_the
     assert edited.endswith(f"{file})")
 
 
+def test_a_past_run_from_python_shows_the_command_that_does_the_same(tiny: Tiny) -> None:
+    asked = 'verify("fall:up", codes="fake/good", settings={"g": "9 m/s2"}, rungs=[1e-2, 5e-3])'
+    script = f"from vv.notebook import verify; {asked}; verify(codes='fake/good', level='quick')"
+    subprocess.run([sys.executable, "-c", script], cwd=tiny.root, check=True)
+    past = tiny.vv("runs").stdout.splitlines()
+    every, one = (line.partition("vv run ")[2] for line in past)
+    assert every == "--all --codes fake/good --level quick"
+    assert one == (
+        "fall:up --codes fake/good --level default --set 'g=9 m/s2' --rung dt=0.01 --rung dt=0.005"
+    )
+
+
 @pytest.mark.parametrize(
     "given",
     ["dt=1e-3,kn=1e9", {"dt": 1e-3, "kn": 1e9}, Knobs(1e-3, 1e9), [{"dt": "0.001", "kn": 1e9}]],

@@ -7,7 +7,7 @@ command line.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,9 +20,12 @@ from vv.cli import invocation, options
 from vv.output.table import table
 from vv.plan.project import find
 from vv.plan.settings import parse_knobs
+from vv.records.reading import in_words
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from vv.plan.plan import Options
 
 Rung = str | float | Knobs | Mapping[str, float]
 
@@ -51,9 +54,26 @@ def verify(
     limits = Limits(options.workers(0), options.TIMEOUT)
     try:
         plan = options.plan_of(project, list(selection), chosen)
-        return table(invocation.carry_out_with_progress(project, plan, limits).records)
+        command = _command(selection, codes, chosen)
+        made = invocation.carry_out_with_progress(project, plan, limits, command=command)
+        return table(made.records)
     finally:
         _note_loaded()
+
+
+def _command(selection: Sequence[str], codes: str, chosen: Options) -> list[str]:
+    """The command that runs the same, by which `vv runs` and reports name the run."""
+    words = [
+        "vv",
+        "run",
+        *(selection or ("--all",)),
+        "--codes",
+        codes,
+        "--level",
+        chosen.level.value,
+    ]
+    words += [word for text in chosen.settings for word in ("--set", text)]
+    return words + [word for knobs in chosen.rungs for word in ("--rung", in_words(knobs))]
 
 
 def _level(name: str) -> Level:

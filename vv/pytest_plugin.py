@@ -22,7 +22,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption(
         "--vv-rung", action="append", default=[], metavar="dt=..", help="as --rung of `vv run`"
     )
+    group.addoption(
+        "--vv-only", action="store_true", help="run these tests alone, and none of the project"
+    )
     group.addoption("--vv-timeout", default=300.0, type=float, help="seconds that one job may take")
+
+
+def pytest_ignore_collect(config: pytest.Config) -> bool | None:
+    """Leave the project's own tests out if asked to; else pytest decides."""
+    return True if config.getoption("--vv-only") else None
 
 
 def pytest_collection_modifyitems(session: pytest.Session, items: list[pytest.Item]) -> None:

@@ -64,6 +64,13 @@ def test_without_the_option_there_is_nothing_of_it(tiny: Tiny) -> None:
     assert "vv" not in done.stdout.replace(str(tiny.root), "").partition("collected")[2]
 
 
+def test_the_tests_of_the_project_are_left_out_if_asked(tiny: Tiny) -> None:
+    (tiny.root / "test_mine.py").write_text("raise ValueError\n")
+    done = run(tiny, "--vv-only", "--vv", "fall:up", "--vv-code", "fake/good")
+    assert done.returncode == 0, done.stdout
+    assert "1 passed" in done.stdout
+
+
 def test_what_names_no_case_is_a_mistake_in_the_call(tiny: Tiny) -> None:
     done = run(tiny, "--vv", "fal")
     assert done.returncode == 4

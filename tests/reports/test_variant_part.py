@@ -217,10 +217,8 @@ def test_the_parameters_of_a_variant_that_are_not_those_of_the_table_are_told(
     usual = record("a/a", "T1", 1e-3, parameters={"m": 1.0})
     other = record("a/a", "T2", 1e-3, parameters={"m": 2.5})
     page = built(manifest_of(usual, other), store)
-    assert "Parameters that differ from the table" not in part(page, "bounce--T1")
-    assert "Parameters that differ from the table: <code>m</code> = 2.5." in words(
-        part(page, "bounce--T2")
-    )
+    assert "Defaults of its own" not in part(page, "bounce--T1")
+    assert "Defaults of its own: <code>m</code> = 2.5." in words(part(page, "bounce--T2"))
     wide = changed(other, modified=True, changed=["m"], parameters={"m": 2.5, "g": 3.0})
     page = built(manifest_of(usual, wide), store)
     assert "<b>Modified parameters:</b> m = 2.5." in words(part(page, "bounce--T2"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -96,12 +96,16 @@ def carry_out_with_progress(
     plan: Plan,
     limits: Limits,
     until: Callable[[Record], bool] | None = None,
+    command: Sequence[str] = (),
 ) -> Manifest:
-    """Carry out a plan and show the progress; returns the manifest. until: see `carry_out`."""
+    """Carry out a plan and show the progress; returns the manifest.
+
+    until: see `carry_out`. command: the words that past runs show; if none, the command line's.
+    """
     from vv.run.session import carry_out
 
     with progress() as shown:
-        return carry_out(project, plan, limits, shown, _command(), until=until)
+        return carry_out(project, plan, limits, shown, [*command] or _command(), until=until)
 
 
 def _command() -> list[str]:

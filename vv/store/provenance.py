@@ -7,6 +7,7 @@ import functools
 import hashlib
 import os
 import platform
+import shlex
 from collections.abc import Iterable, Sequence
 from importlib import metadata
 from pathlib import Path
@@ -34,7 +35,7 @@ def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> Pr
         utc=now.isoformat(timespec="seconds"),
         commit=revision,
         dirty=dirty,
-        command=" ".join(command),
+        command=shlex.join(command),
         machine=machine(),
         versions={"vv": vv.__version__, "python": platform.python_version(), **_versions()},
         threads=1,
