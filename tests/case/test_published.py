@@ -41,6 +41,21 @@ def test_a_number_is_reproduced_if_it_rounds_to_what_is_printed_and_only_then(
         assert same == (one.assessment is Assessment.REPRODUCED), (one.exact(), one.number)
 
 
+@pytest.mark.parametrize(
+    "one", [one for one in NUMBERS if one.close is not None], ids=lambda one: one.what
+)
+def test_a_number_that_is_reproduced_less_closely_is_called_so_by_no_more_than_it_needs(
+    one: Statement,
+) -> None:
+    """By a third more than it is apart, or half a unit of the last digit that is no zero."""
+    assert one.number is not None
+    assert one.close is not None
+    assert not isinstance(one.exact, str)
+    digits = one.printed.rstrip("0")
+    last = 0.5 * 10.0 ** (len(one.printed) - len(digits)) if "." not in digits else 0.0
+    assert one.close <= max(last, 4.0 / 3.0 * abs(one.exact() - one.number))
+
+
 @pytest.mark.parametrize("one", BOUNDS, ids=lambda one: f"{one.place} {one.what}")
 def test_a_bound_is_reproduced_if_the_papers_own_equations_keep_it_and_only_then(
     one: Statement,

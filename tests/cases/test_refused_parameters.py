@@ -25,6 +25,7 @@ PROJECT = find()
         ("restitution", "linear-limestone", {"v": 100.0}, "it must be below a tenth of the radius"),
         ("single-contact", "T3", {"mu": 1e12}, "an overlap so small is lost"),
         ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the speed must not be 0"),
+        ("rocking", "topples", {"duration": 5.0}, "end before the block overturns and slips"),
         ("slow-slide", "level", {"v0": 0.0}, "the block must move, and friction must stop it"),
         ("slow-slide", "slope", {"mu": 0.01}, "the block must move, and friction must stop it"),
         ("stable-step", "undamped", {"mu": 0.0}, "mu = 0.0; it must be positive"),

@@ -33,7 +33,7 @@ def balance(scene: Scene, bed: int, p: Parameters) -> tuple[Quantity, ...]:
     mass = sum(block.mass for block in scene.blocks)
     shaken, rate = scene.shaking is not None, 2 * np.pi * p["f"]
     hardest = shaken * p["D"] * rate**2
-    loads = mass * (p["g"] + hardest) * p["duration"] or 1.0
+    loads = mass * (p["g"] + hardest) * p["duration"]
     late = _late(1.1 * mass * hardest / loads)
     along = dict.fromkeys(_METHODS, SOLVED) | dict.fromkeys((Method.PENALTY, Method.LAGGING), late)
 

@@ -10,7 +10,7 @@ import pytest
 from cases.blocks.masonry import CASE
 from reference_solutions.blocks import responding_block
 from vv.ask import Method
-from vv.case import Exact, Series
+from vv.case import Exact, Scalar, Series, evaluated
 
 
 def late(given: dict[str, float]) -> tuple[float, float]:
@@ -62,3 +62,14 @@ def test_courses_on_springs_walk_at_the_speed_of_blocks_that_vibrate_at_the_limi
     assert on_springs() == pytest.approx(0.0162, rel=5e-3)
     assert on_springs(duration=0.8) == pytest.approx(walked(5, 0.2, duration=0.8))
     assert on_springs(D=0.03) == pytest.approx(walked(5, 0.2, D=0.03))
+
+
+def test_the_force_on_a_bedstone_is_told_over_the_weight_or_over_one_newton() -> None:
+    def scale(g: float) -> float:
+        quantities = CASE.declare("borne", {**CASE.defaults("borne"), "g": g}).quantities
+        (sheared,) = (one for one in quantities if one.name == "sheared")
+        assert isinstance(sheared, Scalar)
+        return evaluated(sheared.scale)
+
+    assert scale(6.0) == pytest.approx(2.0 * scale(3.0))
+    assert scale(0.0) == 1.0

@@ -1,7 +1,11 @@
 """Claims about a sphere that bounces to rest: how long it is run, and when bounces are judged."""
 
+import math
+
+import numpy as np
 import pytest
 
+from cases.hard.parts._settling_bounds import _margin
 from cases.hard.settling import CASE
 from reference_solutions.contact import settling
 from vv.ask import History, Knobs, Method
@@ -80,3 +84,25 @@ def test_bounces_are_judged_where_an_error_of_the_method_changes_none(
     found = bounds(kn=kn_of(1e6, 1.05e6) * (1.0 + part))
     assert set(found.tolerances) == judged
     assert set(found.not_judged) == {FIRST, SECOND, EXACT} - judged
+
+
+@pytest.mark.parametrize(
+    "given", [{}, {"eta": 60.0}, {"kn": 1.01e6, "g": 3.0}, {"m": 2.0}, {"eta": 1700.0}],
+    ids=str,
+)  # fmt: skip
+def test_the_number_is_as_far_from_changing_as_the_nearer_of_the_last_two_swings(
+    given: dict[str, float],
+) -> None:
+    """The oscillation that stays rises by exp(-pi n/w_d) of what it sank below its rest."""
+    law = {**USUAL, **given}
+    stages, sunk = settling.stages(**law), law["m"] * law["g"] / law["kn"]
+    n = law["eta"] / (2.0 * law["m"])
+    rate = math.sqrt(law["kn"] / law["m"] - n * n)
+    *_, flight, last = stages
+    t = last.begin + np.linspace(0.0, math.pi / rate, 20001)
+    deepest = -float(settling.settling(t, **law).min() + law["height"]) - sunk
+    stays = 1.0 - deepest * math.exp(-math.pi * n / rate) / sunk
+    swing = math.hypot(1.0, flight.v / math.sqrt(law["kn"] / law["m"]) / sunk)
+    leaves = swing - 1.0 if flight.v else math.inf  # with so much drag it never leaves the floor
+    assert flight.flies
+    assert _margin(law, law, stages) == pytest.approx(min(stays, leaves), rel=1e-4)
