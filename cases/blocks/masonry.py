@@ -8,8 +8,9 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.blocks.parts import _balance
-from reference_solutions.blocks import facade, responding_block
+from cases.blocks.parts import _balance, _sliding_wall
+from cases.blocks.parts._sliding_wall import DEEP, DENSITY, HEIGHT, LENGTH
+from reference_solutions.blocks import facade
 from reference_solutions.hard import arch
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
@@ -31,11 +32,9 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, polyhedron_inertia
 
-LENGTH, HEIGHT, DEEP, DENSITY = 0.4, 0.2, 0.15, 2000.0  # m, of a block; half depth; kg/m3
 OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 X, Y, Z = np.eye(3)
 BED = 0  # the bedstone, on which all stands
@@ -74,6 +73,7 @@ def _blocks(p: Parameters, arched: bool) -> list[Block]:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     still, slides = variant in STILL, variant in SLIDING
+    own = p == CASE.defaults(variant)
     if still:
         _check_friction(p)
     blocks = _blocks(p, arched=not slides)
@@ -88,7 +88,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     borne = sum(block.mass for block in blocks) * p["g"]
     if variant in BORNE_BY:
         seen = (*moving, Reaction(BED), *_balance.watched(scene, BED))
-    quantities = _at_rest(moving, p, blocks) if still else _sliding_wall(moving, p)
+    quantities = _at_rest(moving, p, blocks) if still else _slides(moving, p, own)
     if variant in SHAKEN:
         quantities = (_farthest(moving, None, Shown(PATHS)),)
     if variant in BORNE_BY:
@@ -152,71 +152,18 @@ def _sagging(weight: float) -> dict[Method, Tolerance]:
     return {Method.PENALTY: sags, Method.LAGGING: sags}
 
 
-def _sliding_bounds(p: Parameters) -> Exact:
-    """The bounds of a wall that slides, by its courses on springs and by the step."""
-    whole = (
-        "the step in which slip reverses is not cut: the speed gets an error of up to 2 mu g dt, f "
-        "times a second; the error of the displacement is that times the time that is left, over D"
-    )
-    turns = max(1.0, p["mu"] * p["g"] * p["f"] * p["duration"] ** 2 / p["D"] / 20.0)
-    second = capped(2e-2 * turns, whole, dt=2e-3, order=1)
-    first = capped(
-        2e-2 * turns,
-        whole,
-        dt=2e-3,
-        order=1,
-        slack="where in a step slip reverses is a matter of chance",
-    )
-    judged, shown = (
-        {Method.SECOND_ORDER: second, Method.FIRST_ORDER: first},
-        {Method.LAGGING: SLIPS},
-    )
-    if _leans(p):
-        return Exact(judged, not_judged={**shown, Method.PENALTY: EXCITED})
-    penalty = capped(
-        _walk(p),
-        "a block on its springs vibrates with the frequency w, w^2 = kn/m; at Coulomb's limit with "
-        "the amplitude mu m g/kn, so that a course walks on the next at up to mu g/w, and the "
-        "highest of n courses at n times that, for the whole duration; and " + whole,
-        kn=1e9, softness=0.5, late=10.0 * turns,
-        slack="courses walk at half of that speed, and not always",
-    )  # fmt: skip
-    return Exact({**judged, Method.PENALTY: penalty}, not_judged=shown)
+def _slides(moving: tuple[Displacement, ...], p: Parameters, own: bool) -> tuple[Quantity, ...]:
+    """For a wall without an arch: all of it slides on the bedstone as a single block does.
 
-
-def _walk(p: Parameters) -> float:
-    """How far the highest course may walk on springs of 1e9 N/m, over the largest displacement."""
-    w = math.sqrt(1e9 / (LENGTH * HEIGHT * 2 * DEEP * DENSITY))
-    moved = np.abs(_slid(np.linspace(0.0, p["duration"], 11), p)).max()
-    return float(p["courses"] * p["mu"] * p["g"] / w * p["duration"] / (moved or 2 * p["D"]))
-
-
-def _slid(t: Vector, p: Parameters) -> Vector:
-    """The displacement [m] of a block that slides on the base, along it."""
-    moved = responding_block.one_direction(t, D=p["D"], f=p["f"], mu=p["mu"], g=p["g"])
-    return np.asarray(moved - responding_block.base(t, D=p["D"], f=p["f"]))
-
-
-def _leans(p: Parameters) -> bool:
-    """Whether friction makes a sliding wall vibrate on springs without damping, at fine steps.
-
-    Its thrust leans by mu, and meets the foot mu n H/2 off the middle. Joints of a solid wall open
-    at a sixth of its width; here door and window take up to half of the foot, and stones rock on
-    one another. The limits are found by trial and not derived: below them no run that was tried at
-    half a millisecond, with 6 to 16 columns and 5 to 14 courses, was off by more than is allowed.
+    own: the parameters are the case's, at which the wall is known to slide.
     """
-    off = p["mu"] * p["courses"] * HEIGHT / 2
-    return off > min(FOOT * p["columns"] * LENGTH, STONE * LENGTH)
-
-
-def _sliding_wall(moving: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, ...]:
-    """For a wall without an arch: all of it slides on the bedstone as a single block does."""
-    bounds = _sliding_bounds(p)
+    bounds = _sliding_wall.bounds(p, own or _sliding_wall.alone(p))
 
     def slid(name: str, what: str, body: Displacement) -> Quantity:
         return Series(
             name, "u", "m", f"displacement along the base of the {what}",
-            ComponentAlong(body, X), functools.partial(_slid, p=p), bounds, still=2 * p["D"],
+            ComponentAlong(body, X), functools.partial(_sliding_wall.slid, p=p), bounds,
+            still=2 * p["D"],
         )  # fmt: skip
 
     return (
@@ -250,13 +197,6 @@ RUNGS, FINE = (Knobs(2e-3, 1e9), Knobs(1e-3, 1e9)), (Knobs(1e-3, 1e9), Knobs(5e-
 STILL, SLIDING = ("rest", "rest-200"), ("slides", "slides-200")
 SHAKEN = ("shaken", "borne", "shaken-200")
 BORNE_BY = ("rest", "rest-200", "borne", "shaken-200")
-FOOT, STONE = 1 / 16, 3 / 4  # how far off the middle, of the wall's width and of a stone's length
-SLIPS = "with lagging friction, courses slip on one another by a quarter of the displacement"
-EXCITED = (
-    "where the thrust leans towards the edge, friction makes springs without damping vibrate: "
-    "normal forces change, and courses, all of which are at Coulomb's limit, walk by up to half of "
-    "the displacement. This is how these springs move; only long steps damp it"
-)
 SWINGS = dict.fromkeys(
     (Method.PENALTY, Method.LAGGING),
     "springs start as if friction held everything. Slip then releases some of them, and the force "

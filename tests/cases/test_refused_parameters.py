@@ -38,6 +38,7 @@ PROJECT = find()
         ("tetrahedral-strength", "pressed", {"fs0": 8.0, "m": 1e-5}, "in the wave that follows"),
         ("tetrahedral-unit", "pulled", {"kn": 1e4}, "the unit creeps to rest"),
         ("masonry", "rest", {"mu": 0.3085}, "whatever the thrust of the arch, a joint slides"),
+        ("masonry", "slides", {"courses": 13, "mu": 0.481}, "the wall does not move as one block"),
         ("packing", "seed-1", {"eta": 0.0}, "eta = 0.0 N s/m; without drag nothing"),
         ("packing", "seed-1", {"eta": 1e300}, "to come to rest; at most 240 s are run"),
         ("packing", "seed-1", {"eta": 1e-9}, "takes 4.8e\\+08 s to come to rest"),

@@ -48,10 +48,11 @@ def shared(one: Array, other: Array) -> list[tuple[Array, Array]]:
     return found
 
 
-def bed_load(blocks: list[Array], bed: Array, mu: float) -> float | None:
+def bed_load(blocks: list[Array], bed: Array, mu: float, thrust: float = 0.0) -> float | None:
     """The load on the bed from blocks of unit weight per area; None if they cannot stand.
 
-    blocks, bed: corners (k, 2) [m], counter-clockwise.
+    blocks, bed: corners (k, 2) [m], counter-clockwise; thrust: the force to the right that a block
+    needs of its contacts, over its weight.
     """
     from scipy.optimize import linprog
 
@@ -67,6 +68,6 @@ def bed_load(blocks: list[Array], bed: Array, mu: float) -> float | None:
                     column[k] = sign * np.array([*force, arm[0] * force[1] - arm[1] * force[0]])
                 columns.append(column[1:].ravel())
                 on_bed.append(force[1] if i == 0 else 0.0)
-    weights = np.array([[0.0, area(block), 0.0] for block in blocks]).ravel()
+    weights = np.array([[thrust * area(block), area(block), 0.0] for block in blocks]).ravel()
     answer = linprog(np.zeros(len(columns)), A_eq=np.array(columns).T, b_eq=weights)
     return float(answer.x @ on_bed) if answer.success else None

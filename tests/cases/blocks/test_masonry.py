@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from cases.blocks.masonry import CASE
+from cases.blocks.parts._sliding_wall import alone
 from reference_solutions.blocks import responding_block
 from vv.ask import Method
 from vv.case import Exact, Scalar, Series, evaluated
@@ -73,3 +74,37 @@ def test_the_force_on_a_bedstone_is_told_over_the_weight_or_over_one_newton() ->
 
     assert scale(6.0) == pytest.approx(2.0 * scale(3.0))
     assert scale(0.0) == 1.0
+
+
+def test_a_wall_whose_stones_no_forces_balance_is_refused() -> None:
+    """Of 13 courses on piers of one and a half stones it leans; of five, from mu = 0.6 on."""
+    with pytest.raises(ValueError, match=r"mu = 0.481; .* need a thrust of 0.481 times their"):
+        judge(courses=13.0, mu=0.481, duration=0.462)
+    with pytest.raises(ValueError, match=r"mu = 0.61; .* a thrust of 0.61 times"):
+        judge(mu=0.61)
+
+
+def test_a_wall_that_is_shaken_gently_needs_no_more_than_the_base_has() -> None:
+    """D w^2 of 0.2 g: friction of 0.7 would let it rock, but the wall never needs it."""
+    gentle = 0.2 * 9.81 / (4 * math.pi) ** 2
+    assert Method.SECOND_ORDER in judge(mu=0.7, D=gentle).tolerances
+
+
+def test_a_wall_near_the_end_of_equilibrium_is_shown_and_not_judged() -> None:
+    """Five courses end at 0.6, so that those above 0.545 may part, as a tenth more tells."""
+    assert Method.SECOND_ORDER in judge(mu=0.54).tolerances
+    assert judge(mu=0.55).tolerances == {}
+    assert judge(mu=0.55).not_judged.keys() >= {Method.SECOND_ORDER, Method.PENALTY}
+    assert judge(columns=8.0, mu=1.6).tolerances == {}  # forces in upright joints alone hold it
+
+
+@pytest.mark.parametrize("variant", ["slides", "slides-200"])
+def test_the_walls_of_the_case_are_far_from_that(variant: str) -> None:
+    assert alone(dict(CASE.defaults(variant)))
+
+
+def judge(**given: float) -> Exact:
+    (lowest, _) = CASE.declare("slides", {**CASE.defaults("slides"), **given}).quantities
+    assert isinstance(lowest, Series)
+    assert isinstance(lowest.judge, Exact)
+    return lowest.judge

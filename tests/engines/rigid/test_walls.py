@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 
 from tests.engines.rigid.test_motion import solved
 from tests.scenes.blocks.block_scenes import DOWN, FREE, HELD, G, box, running_bond
@@ -91,3 +94,23 @@ def test_a_wall_shaken_three_times_as_hard_is_solved_as_closely() -> None:
     for amplitude in (0.02, 0.06):
         program = solved(running_bond(4, 4, amplitude, frequency=3.0), 0.1, interval=DT)
         assert program.report[:, 0].max() <= 2.5e-6 * np.sqrt(G * 0.3)
+
+
+@pytest.mark.parametrize(
+    ("columns", "courses", "ends"), [(6, 5, 0.6), (6, 10, 0.4975), (8, 5, 0.6)]
+)
+def test_walls_slide_as_one_block_up_to_where_no_forces_balance_their_stones(
+    columns: int, courses: int, ends: float
+) -> None:
+    """A linear program says where that is: `reference_solutions/blocks/equilibrium.py`."""
+    given = {**MASONRY.defaults("slides"), "columns": columns, "courses": courses}
+    study = MASONRY.declare("slides", given).study
+    goal, seen = History(0.3, 0.03), tuple(map(Displacement, range(1, len(study.scene.blocks))))
+    parted = []
+    for mu in (0.98 * ends, 1.02 * ends):
+        scene = replace(study.scene, contact=Contact(np.inf, mu=mu))
+        run = rigid.solve(Ask(scene, goal, seen, Knobs(DT)))
+        ways = np.array([run.values[one][:, 0] for one in seen])
+        parted.append(np.ptp(ways, axis=0).max() / np.abs(ways).max())
+    assert parted[0] <= 1e-2  # what the case allows at this step
+    assert parted[1] >= 3e-2

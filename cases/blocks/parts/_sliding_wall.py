@@ -1,0 +1,124 @@
+"""Whether a wall of stones slides on its bed as one block, and the bounds where it does."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from reference_solutions.blocks import facade, responding_block
+from reference_solutions.blocks.equilibrium import Stone, stands
+from vv.ask import Method
+from vv.case import Exact, Parameters, capped
+from vv.scene import Vector
+
+LENGTH, HEIGHT, DEEP, DENSITY = 0.4, 0.2, 0.15, 2000.0  # m, of a block; half depth; kg/m3
+
+
+def alone(p: Parameters) -> bool:
+    """Whether no other motion is at hand; raises ValueError if the wall cannot slide as one block.
+
+    A wall that sticks or slides as one block gives each stone at most the acceleration mu g, or
+    that of the base. Forces that are linear in it balance any smaller one, and the wall is
+    symmetric, so that the largest to one side decides.
+    """
+    hardest = p["D"] * (2 * math.pi * p["f"]) ** 2
+    thrust = min(p["mu"], hardest / p["g"]) if p["g"] else 0.0
+    size = int(p["columns"]), int(p["courses"])
+    if not _balanced(*size, p["mu"], thrust, upright=True):
+        raise ValueError(
+            f"mu = {p['mu']!r}; the wall does not move as one block: where it slides, or is shaken "
+            f"hardest, its stones need a thrust of {thrust:.4g} times their weight, and no forces "
+            "that press and obey Coulomb's law balance them"
+        )
+    return _balanced(*size, SURE * p["mu"], SURE * thrust, upright=False)
+
+
+@functools.lru_cache
+def _balanced(columns: int, courses: int, mu: float, thrust: float, upright: bool) -> bool:
+    """Whether the stones of a wall are in equilibrium, with or without forces in upright joints."""
+    laid = facade.courses(columns, courses, LENGTH)
+    stones = [Stone(left, right, n * HEIGHT, (n + 1) * HEIGHT) for n, left, right in laid]
+    return stands(stones, mu, thrust, upright=upright)
+
+
+def bounds(p: Parameters, sure: bool) -> Exact:
+    """The bounds of a wall that slides, by its courses on springs and by the step.
+
+    sure: no other motion is at hand; where one is, runs are shown and not judged.
+    """
+    if not sure:
+        return Exact({}, not_judged=dict.fromkeys(CLASSES, MAY_PART) | {Method.LAGGING: SLIPS})
+    whole = (
+        "the step in which slip reverses is not cut: the speed gets an error of up to 2 mu g dt, f "
+        "times a second; the error of the displacement is that times the time that is left, over D"
+    )
+    turns = max(1.0, p["mu"] * p["g"] * p["f"] * p["duration"] ** 2 / p["D"] / 20.0)
+    second = capped(2e-2 * turns, whole, dt=2e-3, order=1)
+    first = capped(
+        2e-2 * turns,
+        whole,
+        dt=2e-3,
+        order=1,
+        slack="where in a step slip reverses is a matter of chance",
+    )
+    judged, shown = (
+        {Method.SECOND_ORDER: second, Method.FIRST_ORDER: first},
+        {Method.LAGGING: SLIPS},
+    )
+    if _leans(p):
+        return Exact(judged, not_judged={**shown, Method.PENALTY: EXCITED})
+    penalty = capped(
+        max(_walk(p), ROUNDING),
+        "a block on its springs vibrates with the frequency w, w^2 = kn/m; at Coulomb's limit with "
+        "the amplitude mu m g/kn, so that a course walks on the next at up to mu g/w, and the "
+        "highest of n courses at n times that, for the whole duration; and " + whole,
+        kn=1e9, softness=0.5, late=10.0 * turns,
+        slack="courses walk at half of that speed, and not always",
+    )  # fmt: skip
+    return Exact({**judged, Method.PENALTY: penalty}, not_judged=shown)
+
+
+def _walk(p: Parameters) -> float:
+    """How far the highest course may walk on springs of 1e9 N/m, over the largest displacement."""
+    w = math.sqrt(1e9 / (LENGTH * HEIGHT * 2 * DEEP * DENSITY))
+    moved = np.abs(slid(np.linspace(0.0, p["duration"], 11), p)).max()
+    return float(p["courses"] * p["mu"] * p["g"] / w * p["duration"] / (moved or 2 * p["D"]))
+
+
+def slid(t: Vector, p: Parameters) -> Vector:
+    """The displacement [m] of a block that slides on the base, along it."""
+    moved = responding_block.one_direction(t, D=p["D"], f=p["f"], mu=p["mu"], g=p["g"])
+    return np.asarray(moved - responding_block.base(t, D=p["D"], f=p["f"]))
+
+
+def _leans(p: Parameters) -> bool:
+    """Whether friction makes a sliding wall vibrate on springs without damping, at fine steps.
+
+    Its thrust leans by mu, and meets the foot mu n H/2 off the middle. Joints of a solid wall open
+    at a sixth of its width; here door and window take up to half of the foot, and stones rock on
+    one another. The limits are found by trial and not derived: below them no run that was tried at
+    half a millisecond, with 6 to 16 columns and 5 to 14 courses, was off by more than is allowed.
+    """
+    off = p["mu"] * p["courses"] * HEIGHT / 2
+    return off > min(FOOT * p["columns"] * LENGTH, STONE * LENGTH)
+
+
+ROUNDING = 1e-11  # of positions
+CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY)
+# Of the thrust. Of twenty walls that were run without damping none moved otherwise below 0.96 of
+# the thrust at which equilibrium ends; this decides only where runs are shown and not judged.
+SURE = 1.1
+MAY_PART = (
+    "forces balance the stones, but not if the thrust is a tenth larger or if upright joints bear "
+    "nothing: with friction more than one motion may then obey all laws, and stones that may stay "
+    "may also move"
+)
+FOOT, STONE = 1 / 16, 3 / 4  # how far off the middle, of the wall's width and of a stone's length
+SLIPS = "with lagging friction, courses slip on one another by a quarter of the displacement"
+EXCITED = (
+    "where the thrust leans towards the edge, friction makes springs without damping vibrate: "
+    "normal forces change, and courses, all of which are at Coulomb's limit, walk by up to half of "
+    "the displacement. This is how these springs move; only long steps damp it"
+)
