@@ -73,7 +73,6 @@ def _blocks(p: Parameters, arched: bool) -> list[Block]:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     still, slides = variant in STILL, variant in SLIDING
-    own = p == CASE.defaults(variant)
     if still:
         _check_friction(p)
     blocks = _blocks(p, arched=not slides)
@@ -88,8 +87,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     borne = sum(block.mass for block in blocks) * p["g"]
     if variant in BORNE_BY:
         seen = (*moving, Reaction(BED), *_balance.watched(scene, BED))
-    quantities = _at_rest(moving, p, blocks) if still else _slides(moving, p, own)
-    if variant in SHAKEN:
+    if still:
+        quantities = _at_rest(moving, p, blocks)
+    elif slides:
+        quantities = _slides(moving, p, p == CASE.defaults(variant))
+    else:
         quantities = (_farthest(moving, None, Shown(PATHS)),)
     if variant in BORNE_BY:
         quantities += () if still else (_base_shear(borne),)
