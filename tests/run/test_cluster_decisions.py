@@ -15,6 +15,7 @@ from vv.base.errors import UsageError
 from vv.plan import imports
 from vv.plan.project import Project
 from vv.run.cluster import head, worker
+from vv.run.pace import Pace
 from vv.run.process import Batch
 
 HERE = Path("/a/project")
@@ -154,6 +155,28 @@ def test_a_worker_times_if_one_has_a_machine_of_its_own_and_else_the_head(
     timed: Any = place.timed([], 1.0)
     assert timed == (["timed there"] if by_a_worker else ["timed here"])
     assert ("not timed: dda: it is gone" in said) is by_a_worker
+
+
+@pytest.mark.parametrize(
+    ("start", "rest", "sizes"),
+    [
+        (0.0, (0.6,) * 8, [2, 2, 2, 2]),
+        (0.0, (0.2, 0.3), [2]),
+        (0.0, (7.0, 9.0), [1, 1]),
+        (0.5, (1.2,) * 10, [2, 2, 2, 2, 2]),
+        (2.0, (2.9,) * 6, [3, 3]),
+    ],
+)
+def test_a_batch_takes_a_second_and_four_times_its_program_s_start(
+    start: float, rest: tuple[float, ...], sizes: list[int]
+) -> None:
+    """Batches of no less than that by the sum of what is expected: at most one batch a job."""
+    jobs: list[Any] = [SimpleNamespace() for _ in rest]
+    begins = [0.0] * (len(rest) - 1) + [start]
+    paces = {id(job): Pace(*one) for job, *one in zip(jobs, begins, rest, strict=True)}
+    shares = list(head.Cluster("dask://there:1", Project(HERE), {}, paces).shares(jobs, 1))
+    assert [len(share) for share in shares] == sizes
+    assert sorted(place for share in shares for place in share) == list(range(len(rest)))
 
 
 def test_a_session_that_dies_on_its_worker_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -17,11 +17,22 @@ from tests.scenes.blocks.sliding_blocks import Frame, incline
 from tests.support.adapters import live_asks
 from tests.support.adapters.live_asks import TRIALS, error
 from tests.support.installed import only_with
-from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.codes import external
 
 pytestmark = only_with(ADAPTER)
 ran = functools.partial(live_asks.ran, ADAPTER)
+STEPS = [TRIALS["T1"].study.ask(Knobs(dt=dt)) for dt in (1e-3, 1e-7, 5e-4)]
+
+
+def poisoned(written: Callable[..., str]) -> Callable[..., str]:
+    """Writes decks in which LIGGGHTS refuses the mass of the second of STEPS."""
+
+    def write(setup: Setup, *more: object) -> str:
+        text = written(setup, *more)
+        return text.replace(" mass ", " mass -") if setup.ask is STEPS[1] else text
+
+    return write
 
 
 def test_a_timed_run_is_the_cost_of_the_loop_alone_and_of_long_ones_taken_once(
@@ -41,33 +52,53 @@ def test_a_timed_run_is_the_cost_of_the_loop_alone_and_of_long_ones_taken_once(
 def test_a_death_in_timing_costs_the_ask_in_flight(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def poisoned(setup: Setup, around: Sequence[str] = ()) -> str:
-        text = silent_deck(setup, around)
-        return text.replace(" mass ", " mass -") if setup.ask is STEPS[1] else text
-
-    monkeypatch.setattr("adapters.liggghts.batch.silent_deck", poisoned)
+    monkeypatch.setattr("adapters.liggghts.batch.silent_deck", poisoned(silent_deck))
     runs = list(ADAPTER.run(STEPS, "default", tmp_path, 1e-3))
     assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
     assert [run.cost.repeats >= 3 for run in runs] == [True, False, True]
 
 
-STEPS = [TRIALS["T1"].study.ask(Knobs(dt=dt)) for dt in (1e-3, 1e-7, 5e-4)]
-
-
 def test_a_poisoned_deck_in_a_batch_fails_alone_and_says_why(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def poisoned(setup: Setup, rows: str) -> str:
-        text = deck(setup, rows)
-        return text.replace(" mass ", " mass -") if setup.ask is STEPS[1] else text
-
-    monkeypatch.setattr("adapters.liggghts.batch.deck", poisoned)
+    monkeypatch.setattr("adapters.liggghts.batch.deck", poisoned(deck))
     runs = list(ADAPTER.run(STEPS, "default", tmp_path, 0.0))
     assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
     assert "exit code 1" in runs[1].reason
     assert "Invalid mass" in runs[1].reason
     assert runs[2].cost.startup > 0  # a program of its own
     assert error(runs[2], "T1") < 1e-4
+
+
+def test_an_answer_stands_though_its_program_died_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing is read before the program ended, so that its log tells of the death by then."""
+
+    def after_the_end(count: int, launch: external.Launch, collect: external.Collect) -> list[Run]:
+        program = launch(range(count))
+        program.process.wait()
+        return [collect(i, program) or Run(Status.ERROR, "no answer") for i in range(count)]
+
+    monkeypatch.setattr(external, "run_batch", after_the_end)
+    monkeypatch.setattr("adapters.liggghts.batch.deck", poisoned(deck))
+    first, second, _ = ADAPTER.run(STEPS, "default", tmp_path, 0.0)
+    assert (first.status, first.reason) == (Status.RAN, "")
+    assert second.status is Status.ERROR
+    assert "Invalid mass" in second.reason
+
+
+def test_where_no_program_could_be_started_all_asks_fail_with_the_reason(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def start(*_: object) -> external.Process:
+        raise OSError("no more processes")
+
+    monkeypatch.setattr(external, "start", start)
+    runs = list(ADAPTER.run(STEPS, "default", tmp_path, 0.0))
+    assert {run.status for run in runs} == {Status.ERROR}
+    assert {run.reason for run in runs} == {"the program could not be started: no more processes"}
+    assert len(runs) == len(STEPS)
 
 
 def test_a_killed_program_costs_the_ask_in_flight(
