@@ -1,0 +1,83 @@
+"""Claims that a parameter is accepted up to the end of its range, and refused just beyond it."""
+
+from __future__ import annotations
+
+import pytest
+
+from vv.case import Scalar, Trial, evaluated
+from vv.plan.project import find
+
+PROJECT = find()
+TIPS = "the plate would tip"
+DRAG = "only the variant 'slowed' has drag"
+
+
+def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
+    made = PROJECT.load_case(case)
+    usual = made.defaults(variant)
+    assert given.keys() <= usual.keys()
+    return made.declare(variant, {**usual, **given})
+
+
+@pytest.mark.parametrize(
+    ("case", "variant", "within", "beyond", "words"),
+    [
+        # a plate tips where mu exceeds its length over its height
+        ("incline", "two-directions-turning", {"phi": 78.6}, {"phi": 78.8}, TIPS),
+        ("laden-block", "turning", {"mu": 4.9, "v": 200.0}, {"mu": 5.1, "v": 200.0}, TIPS),
+        ("responding-block", "3d-turning", {"mu": 4.9}, {"mu": 5.1}, TIPS),
+        ("slow-slide", "level", {"mu": 2.4}, {"mu": 2.6}, TIPS),
+        # amplitudes, and what a variant does not have
+        ("incline", "newmark-30", {"Ay": 0.0}, {"Ay": -0.1}, "must be zero or more"),
+        ("responding-block", "2d", {"Dy": 1e-3}, {"Dy": -1e-3}, "must be zero or more"),
+        ("responding-block", "3d", {"Dz": 1e-3}, {"Dz": -1e-3}, "must be zero or more"),
+        ("incline", "two-directions", {"v0": 0.0}, {"v0": 0.1}, "must start at rest"),
+        ("unlike-bonds", "row", {"stretch": 0.0}, {"stretch": 1e-4}, "must be 0"),
+        ("unlike-bonds", "hung", {"stretch": 1e-4}, {"eta": 1.0}, DRAG),
+        ("unlike-bonds", "spinning", {}, {"eta": 1.0}, DRAG),
+        ("unlike-bonds", "slowed", {"g": 0.0}, {"g": 1.0}, "has no gravity"),
+        ("shaken-corner", "viscous", {"zn": 0.02}, {"u": 1.01e-4}, "below a tenth of the radius"),
+        ("shaken-corner", "wall", {"u": 9.9e-5}, {"zn": 0.02}, "only the variant 'viscous'"),
+        # the signs of rates
+        ("close-packed-energy", "pulled-82", {}, {"rate": 0.0}, "must be positive where a block"),
+        ("close-packed-energy", "pressed-82", {}, {"rate": 0.0}, "negative where it is pressed"),
+        ("close-packed-failure", "82", {}, {"rate": 0.0}, "it must be negative"),
+        # how far bodies sink into one another, and how stiff contacts are
+        ("crowd", "pairs", {"v": 7.0}, {"v": 7.15}, "overlap by 0.00505581 m"),
+        ("galperin", "31", {"x": 0.1, "kn": 1.05e7}, {"x": 0.1, "kn": 9.7e6}, "last 0.00101 s"),
+        ("resting", "booked", {"v": 1.8e-3}, {"v": 2e-3}, "contacts open, by about"),
+        ("skid", "wall", {"vn": 99.0}, {"vn": 101.0}, "the sphere would sink by 0.101 m"),
+        ("unlike-bonds", "slowed", {"eta": 3990.0}, {"eta": 4010.0}, "it must be below 4000 N s/m"),
+        # shapes, materials and strains
+        ("hertz-impact", "glass", {"poisson": 0.5}, {"poisson": 0.51}, "must lie in \\[0, 0.5\\]"),
+        ("hertz-impact", "glass", {"poisson": 0.0}, {"poisson": -0.01}, "must lie in \\[0, 0.5\\]"),
+        ("spin-stopped", "crossed", {"a1": 0.59}, {"a1": -0.61}, "ends 0.75 m from its middle"),
+        ("spin-stopped", "crossed", {"a2": -0.47}, {"a2": 0.49}, "ends 0.6 m from its middle"),
+        ("spin-stopped", "crossed", {"crossing": 31.0}, {"crossing": 29.0}, "from 30.0 to 150.0"),
+        ("spin-stopped", "crossed", {"crossing": 149.0}, {"crossing": 151.0}, "from 30.0 to 150.0"),
+        ("wedge", "xi-1", {"xi": 1.57}, {"xi": 1.58}, "it must be below pi/2"),
+        ("shear-wave", "5", {"F": 7.0}, {"F": 7.2}, "from the wave by 0.084, more than 0.08"),
+        ("close-packed-path", "in-82", {"strain": 1.1e-6}, {"strain": 9e-7}, "from 1e-6 to 5e-3"),
+        ("close-packed-path", "in-82", {"strain": -4.9e-3}, {"strain": -5.1e-3}, "to 5e-3"),
+        ("confined-strength", "two", {"fs0": 10.0}, {"fs0": 8.0}, "oscillation after the base"),
+        ("confined-strength", "two", {"xb": 3e-7}, {"xb": 6e-7}, "slide below the pressure that"),
+    ],
+)  # fmt: skip
+def test_a_range_ends_where_the_refusal_says(
+    case: str, variant: str, within: dict[str, float], beyond: dict[str, float], words: str
+) -> None:
+    assert declared(case, variant, within).quantities
+    with pytest.raises(ValueError, match=words):
+        declared(case, variant, beyond)
+
+
+def test_a_block_that_lands_twice_is_refused_where_it_is_measured() -> None:
+    def landing(height: float) -> float:
+        lands = declared("tumbling", "corner", {"height": height}).quantities[1]
+        assert isinstance(lands, Scalar)
+        assert lands.reference is not None
+        return evaluated(lands.reference)
+
+    assert 0.0 < landing(0.8) < 1.6
+    with pytest.raises(ValueError, match="a corner meets the plane a second time"):
+        landing(0.7)
