@@ -38,10 +38,17 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("unlike-bonds", "slowed", {"g": 0.0}, {"g": 1.0}, "has no gravity"),
         ("shaken-corner", "viscous", {"zn": 0.02}, {"u": 1.01e-4}, "below a tenth of the radius"),
         ("shaken-corner", "wall", {"u": 9.9e-5}, {"zn": 0.02}, "only the variant 'viscous'"),
-        # the signs of rates
+        # the signs of rates and of drag
+        ("tetrahedral-unit", "gamma-0", {"eta": 20.0}, {"eta": 0.0}, "must be positive: without"),
         ("close-packed-energy", "pulled-82", {}, {"rate": 0.0}, "must be positive where a block"),
         ("close-packed-energy", "pressed-82", {}, {"rate": 0.0}, "negative where it is pressed"),
         ("close-packed-failure", "82", {}, {"rate": 0.0}, "it must be negative"),
+        # the friction that holds a corner or a voussoir
+        ("masonry", "rest", {"mu": 0.309}, {"mu": 0.3089}, "whatever the thrust of the arch"),
+        ("rocking", "search", {"mu": 0.34}, {"mu": 0.33}, "mu = 0.33; it must exceed b/h"),
+        ("rocking-restitution", "aspect-3", {"mu": 0.34}, {"mu": 0.33}, "it must exceed b/h"),
+        ("failure-modes", "2d-10", {"phi": 84.0}, {"phi": 86.0}, "it must be between 1 and 85"),
+        ("failure-modes", "2d-10", {"phi": 1.2}, {"phi": 0.9}, "it must be between 1 and 85"),
         # how far bodies sink into one another, and how stiff contacts are
         ("crowd", "pairs", {"v": 7.0}, {"v": 7.15}, "overlap by 0.00505581 m"),
         ("galperin", "31", {"x": 0.1, "kn": 1.05e7}, {"x": 0.1, "kn": 9.7e6}, "last 0.00101 s"),
