@@ -1,0 +1,44 @@
+"""Claims about how many corners of a block that cannot turn touch its wall, whatever its size."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.scenes.blocks.block_scenes import FLOOR, FREE, HELD, IN_PLANE, box
+from vv.engines.dda.formulation import Formulation
+from vv.engines.dda.point.model import LEVEL, SAME, sliding
+from vv.scene import Contact, Scene
+
+ANY = Formulation(1e-9, 10, 1)
+HALF = np.array([0.4, 0.5, 0.3])  # times the size
+
+
+def points(size: float, axes: Any, free: Any) -> int:
+    """How many corners of a box of this size [m] touch the floor, of which some do."""
+    block = box("b", [0.0, 0.0, 0.3 * size], size * HALF, axes, free=free, free_spin=HELD)
+    model = sliding(Scene((FLOOR, block), Contact(np.inf)), ANY)
+    assert model is not None
+    return model.points
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize(("part", "touch"), [(0.0, 4), (0.9, 4), (1.1, 2)])
+def test_corners_touch_that_are_as_low_as_the_lowest_to_a_part_of_the_size(
+    size: float, part: float, touch: int
+) -> None:
+    tilt = part * LEVEL / 0.8
+    assert points(size, [[1.0, 0.0, tilt], [0.0, 1.0, 0.0], [-tilt, 0.0, 1.0]], FREE) == touch
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize(("part", "touch"), [(0.0, 2), (0.9, 2), (1.1, 4)])
+def test_corners_behind_one_another_in_a_plane_scene_are_one_to_a_part_of_the_size(
+    size: float, part: float, touch: int
+) -> None:
+    """The sides of a prism are askew to the depth, which is its size."""
+    askew = part * SAME
+    axes = [[1.0, -askew, 0.0], [askew, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    assert points(size, axes, IN_PLANE) == touch
