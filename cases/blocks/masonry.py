@@ -14,7 +14,6 @@ from reference_solutions.blocks import facade
 from reference_solutions.hard import arch
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Check,
     ComponentAlong,
@@ -32,6 +31,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, polyhedron_inertia
 
@@ -132,8 +132,8 @@ def _at_rest(
 
 def _creep(p: Parameters) -> Tolerance:
     """The displacement of masonry at rest on rigid contact."""
-    return Tolerance(
-        min(max(SOLVED * p["g"] * STEP * p["duration"] / LENGTH, ROUNDING), LARGEST_TOLERANCE),
+    return capped(
+        max(SOLVED * p["g"] * STEP * p["duration"] / LENGTH, ROUNDING),
         "at rest, contacts are solved to 5e-8 of the speed g dt that weight gains in a step, which "
         "lasts for the whole duration",
         dt=STEP,

@@ -16,7 +16,6 @@ from reference_solutions.hard import shaken_wedge
 from reference_solutions.hard.wedge import pressing
 from vv.ask import History, Knobs, Method
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     ComponentAlong,
     Exact,
@@ -117,8 +116,8 @@ def _integrated(p: Parameters, way: float) -> Tolerance:
     """For located events; way: the largest displacement [m]."""
     w = 2 * math.pi * p["f"]
     pushed = p["A"] * (1 + _mu(p) * pressing(p["xi"])) * p["duration"] / w  # m
-    return Tolerance(
-        float(np.clip(pushed / way * (w * STEP) ** 2 / 6, LOCATED, LARGEST_TOLERANCE)),
+    return capped(
+        max(float(pushed / way * (w * STEP) ** 2 / 6), LOCATED),
         "the trapezoidal rule gives the speed that the sine and its friction cause, up to "
         "A (1 + K mu)/w, an error of (w dt)^2/12; twice that is allowed for the whole duration. "
         "Events are located within the step",

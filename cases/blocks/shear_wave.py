@@ -12,7 +12,6 @@ from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions.blocks import shear_wave
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     ComponentAlong,
     Exact,
@@ -22,9 +21,9 @@ from vv.case import (
     Parameters,
     Series,
     Source,
-    Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import (
     Block,
@@ -141,7 +140,7 @@ def _layer_series(
 
 def _bounds(bound: float, late: float, reason: str) -> Exact:
     """late: the error of the step COARSE against the answer of the layers, of first order in dt."""
-    tolerance = Tolerance(min(LARGEST_TOLERANCE, bound), reason, late=late / COARSE)
+    tolerance = capped(bound, reason, late=late / COARSE)
     return Exact({Method.PENALTY: tolerance}, not_judged={Method.LAGGING: SOFTER})
 
 

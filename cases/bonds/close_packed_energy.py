@@ -16,7 +16,6 @@ from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_strength import first_opening
 from vv.ask import History, Knobs, Method, Run
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -188,7 +187,7 @@ def _elastic_energy(p: Parameters, block: Lattice, E: float, strain: float) -> S
     viscous = (drag / (E * strain * block.area)) ** 2 / 45
     # pressed, a finite strain lowers the energy that viscosity adds to
     off = viscous + strain if p["rate"] > 0 else max(viscous, strain)
-    judge = Exact(dict.fromkeys(CLASSES, Tolerance(min(off, LARGEST_TOLERANCE), SOON)))
+    judge = Exact(dict.fromkeys(CLASSES, capped(off, SOON)))
     return Scalar("E_e(half)", "E_e(half)", "J", what, observe, exact, exact, judge)
 
 

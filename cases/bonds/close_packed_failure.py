@@ -11,7 +11,13 @@ import numpy as np
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import BRITTLE
 from cases.bonds._specimens import block_of, on_tops, specimen
-from cases.bonds.parts._failure_bounds import bounds, history_bounds, landmark_bounds, slope_bounds
+from cases.bonds.parts._failure_bounds import (
+    after_openings,
+    bounds,
+    first_opening,
+    history_bounds,
+    slope_bounds,
+)
 from reference_solutions.bonds import lattice_failure, lattice_material, lattice_strength
 from reference_solutions.bonds.close_packed_lattice import Lattice
 from reference_solutions.bonds.lattice_material import Element
@@ -115,7 +121,7 @@ def _counts(
         Scalar("half beyond", "d e_half", "", "difference of that strain from the nearest slow "
                "history",
                outside, 0.0, half_due,
-               landmark_bounds(p, block, _apart(p), 0.0 if own else EARLY)),
+               after_openings(p, block, _apart(p), own)),
     )  # fmt: skip
 
 
@@ -191,12 +197,6 @@ class _Pressed:
             raise ValueError(f"xb = {self.p['xb']!r} m; bonds slide soon after the last one opens")
         return low, high
 
-    def early(self) -> float:
-        """The mean distance, over A1, of a history whose bonds open at EARLY less strain."""
-        way = self.history()
-        falls = -np.diff(way.modulus, prepend=way.whole) * way.strain
-        return EARLY * float(falls @ way.strain) / float(way.strain[-1]) / self.largest()
-
     def waves_slide(self) -> bool:
         """Whether the wave of an opening may let inclined bonds slide.
 
@@ -219,8 +219,8 @@ class _Pressed:
 def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
     """The pressure over time, and its landmarks A3, A1 and A2 of Fig. 5.
 
-    own: the parameters are the case's, at which no wave lets bonds slide, and waves open bonds of
-    the block of 82 elements hardly too early.
+    own: the parameters are the case's, at which no wave lets bonds slide, and the histories that
+    are computed are those that blocks follow.
     """
     p, block, one = pressed.p, pressed.block, pressed
     printed = lattice_material.opening_strength(p["kn"], p["ks"], p["xb"], p["d"])
@@ -230,14 +230,14 @@ def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
                Shown(BEYOND_A2)),
         Scalar("history", "mean|e|", "Pa", "mean distance from the pressure of the slow network",
                one.off, 0.0, one.largest,
-               history_bounds(p, block, 0.0 if own else one.early())),
+               history_bounds(block, own)),
         Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", one.first,
-               one.lowest, one.lowest, landmark_bounds(p, block, _apart(p))),
+               one.lowest, one.lowest, first_opening(p, block, _apart(p))),
         Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall", one.top,
                one.largest, one.largest, Shown(TIED)),
         Scalar("A1 beyond", "d sigma(A1)", "Pa", "difference of A1 from the nearest slow history",
                one.outside, 0.0, one.largest,
-               landmark_bounds(p, block, _apart(p), 0.0 if own else EARLY)),
+               after_openings(p, block, _apart(p), own)),
         Scalar("E after", "E'", "Pa", "slope of the pressure with all level bonds "
                "open", one.after, one.softer,
                one.softer, slope_bounds(p) if own or not one.waves_slide() else Shown(SLID)),
@@ -254,7 +254,6 @@ def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
 FINE = 100_000  # number of strains at which the slow history is computed
 BEYOND = 1.1  # of the strain at which inclined bonds slide
 HOLDS = 0.9  # of that strain: no bond slides yet
-EARLY = 0.05  # of the strain at which a bond opens: so much earlier a wave may open it
 SWINGS = 2.0  # times the displacement at rest, after a load that is applied at once
 SLID = (
     "the wave of the last opening may let inclined bonds slide, after which they share the load "

@@ -16,7 +16,6 @@ from reference_solutions.bonds.confined_unit import Failure
 from reference_solutions.bonds.lattice_material import Element
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -27,9 +26,9 @@ from vv.case import (
     Scalar,
     Shown,
     Source,
-    Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Bonds, Contact, Scene, Spheres
 
@@ -133,7 +132,7 @@ def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
 def _bounds(p: Parameters, swing: float) -> Exact:
     """For equilibrium, apart from effects of the rate and of the oscillation."""
     hurry = (p["eta"] * p["rate"] * p["d"] / p["fs0"] / USUAL) ** 2
-    bound = Tolerance(min(LARGEST_TOLERANCE, 1e-5 * max(1.0, hurry) + swing), RATE)
+    bound = capped(1e-5 * max(1.0, hurry) + swing, RATE)
     return Exact({Method.SECOND_ORDER: bound, Method.FIRST_ORDER: bound})
 
 

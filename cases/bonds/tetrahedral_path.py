@@ -14,7 +14,6 @@ from cases.bonds._unit import CORNERS, SEEN, as_it_is, seen_at, unit
 from reference_solutions.bonds import lattice_material, tetrahedral_unit
 from vv.ask import History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Judge,
@@ -26,9 +25,9 @@ from vv.case import (
     Scalar,
     Shown,
     Source,
-    Tolerance,
     Trial,
     Variant,
+    capped,
 )
 
 OUTPUTS = 500  # on the way to the largest strain
@@ -100,8 +99,7 @@ def _on_path(p: Parameters, strain: float) -> Judge:
     gamma = p["gamma"]
     lags = 2 * abs(tetrahedral_unit.poisson_slope(gamma)) * 3 / (10 + 2 * gamma)
     left = 2 * lags / SCALE * p["rate"] ** 2 * p["m"] / p["kn"] / abs(strain)
-    bound = min(LARGEST_TOLERANCE, max(4e-7, left))
-    return Exact({Method.SECOND_ORDER: Tolerance(bound, SLOW, slack=SLACK)})
+    return Exact({Method.SECOND_ORDER: capped(max(4e-7, left), SLOW, slack=SLACK)})
 
 
 def _secant(name: str, d: float, stop: int, run: Run) -> float:

@@ -28,7 +28,6 @@ from reference_solutions.bonds import lattice_material, tetrahedral_unit, turnin
 from reference_solutions.bonds.tetrahedral_unit import Displacements, State
 from vv.ask import History, Method, Run
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Judge,
@@ -42,6 +41,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Vector
 
@@ -198,8 +198,8 @@ LEANING = (
 
 def _rest_bounds(off: _detour.RestErrors) -> Judge:
     """The bounds of the state of rest against the path; off: the errors by oscillation."""
-    kept = min(1e-8 + 1.1 * off.kept, LARGEST_TOLERANCE)
-    settled = Tolerance(kept, SETTLED, late=1.1 * off.late / off.dt, slack=AT_MIDSTEP)
+    kept = 1e-8 + 1.1 * off.kept
+    settled = capped(kept, SETTLED, late=1.1 * off.late / off.dt, slack=AT_MIDSTEP)
     return Exact(
         {
             Method.EXACT: Tolerance(

@@ -12,7 +12,6 @@ import numpy as np
 from reference_solutions.bonds import unlike_row
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -26,6 +25,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
     remembered,
 )
 from vv.scene import Bonds, Contact, Pairs, Scene, Spheres, Vector
@@ -233,12 +233,11 @@ def _judge(dt: float, ahead: float, late: float = 0.0, turned: float = 0.0) -> E
     turned: relative growth of shears that a step rotates to first order, over the step [1/s].
     """
     exact = Tolerance(1e-11, "the answer is a sum of modes without events, known to rounding")
-    least, most = LEAST, LARGEST_TOLERANCE
-    second = Tolerance(
-        min(max(ahead, least), most), AHEAD + TURNED,
-        dt=dt, order=2, floor=least, late=turned, slack=TURNS_RIGHT if turned else "",
+    second = capped(
+        max(ahead, LEAST), AHEAD + TURNED,
+        dt=dt, order=2, floor=LEAST, late=turned, slack=TURNS_RIGHT if turned else "",
     )  # fmt: skip
-    behind = Tolerance(min(max(late, least), most), LATE, dt=dt, order=1)
+    behind = capped(max(late, LEAST), LATE, dt=dt, order=1)
     return Exact({
         Method.EXACT: exact,
         Method.LINEARISED: exact,

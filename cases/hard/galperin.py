@@ -9,7 +9,6 @@ import numpy as np
 from reference_solutions.contact import galperin
 from vv.ask import History, Knobs, Method, Run, Velocity
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Count,
     Exact,
@@ -21,6 +20,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
@@ -107,9 +107,7 @@ def _number(due: int, spread: float, coarsest: float) -> Count:
             Method.EXACT: Tolerance(
                 1e-6, "the number of collisions is either right or wrong", slack=RIGHT
             ),
-            Method.SECOND_ORDER: Tolerance(
-                min(spread, LARGEST_TOLERANCE), BLURRED, dt=coarsest, order=2, slack=RIGHT
-            ),
+            Method.SECOND_ORDER: capped(spread, BLURRED, dt=coarsest, order=2, slack=RIGHT),
         }),
     )  # fmt: skip
 

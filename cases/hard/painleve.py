@@ -10,7 +10,6 @@ import numpy as np
 from reference_solutions.hard import painleve_rod
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     EnergyAllowance,
     Exact,
@@ -24,6 +23,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    capped,
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall
 
@@ -79,23 +79,23 @@ def _slides(p: Parameters, load: float, spin: float, way: float) -> Exact:
     load: the normal force over the weight; spin: the rod's at the end [1/s]; way: the displacement
     of its middle [m].
     """
-    straight = Tolerance(
-        float(np.clip(2 * p["half"] * (spin * STEP) ** 2 / way, ROUNDING, LARGEST_TOLERANCE)),
+    straight = capped(
+        max(float(2 * p["half"] * (spin * STEP) ** 2 / way), ROUNDING),
         "the rod rotates by up to w dt in a step, in which its end moves along a line: an error of "
         "l (w dt)^2; twice that is allowed",
         dt=STEP, order=2, floor=ROUNDING,
     )  # fmt: skip
     kn, rubs = 1e8, load**2 * p["mu"] * p["g"] * GOAL.duration / way
     sinks = load**2 * p["m"] * p["g"] / (kn * way)
-    sprung = Tolerance(
-        min(3 * sinks, LARGEST_TOLERANCE),
+    sprung = capped(
+        3 * sinks,
         "the end sinks into its spring by N/kn and oscillates on it by as much again, which its "
         "friction magnifies by N/(m g), near the paradox a large number; the step damps this "
         "oscillation, and takes a fiftieth of the speed that friction takes in a step",
         kn=kn, softness=1, late=0.02 * rubs,
     )  # fmt: skip
-    lagging = Tolerance(
-        sprung.value,
+    lagging = capped(
+        3 * sinks,
         "friction is that of the previous iteration, while the end oscillates: its speed is wrong "
         "by what friction takes in a step, N/(m g) times magnified, for up to two and a half steps",
         kn=kn, softness=1, late=2.5 * rubs,

@@ -11,7 +11,6 @@ from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions.hard import wedge, wedge_on_springs
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
-    LARGEST_TOLERANCE,
     Case,
     Check,
     ComponentAlong,
@@ -136,11 +135,8 @@ def _judge(p: Parameters, own: bool) -> Exact:
     left = held / (1 - held) if held < 1 else 1.0
     driven = max(math.sin(math.radians(p["dip"])) * (1 - held), EPS) if held < 1 else 1.0
     solved = max(2e-12 / xi, 1e-11) * max(left, 1.0)
-    second = Tolerance(
-        min(
-            (solved if own else max(solved, SOLVED / driven)) + EPS / xi**2 * max(left, 1.0),
-            LARGEST_TOLERANCE,
-        ),
+    second = capped(
+        (solved if own else max(solved, SOLVED / driven)) + EPS / xi**2 * max(left, 1.0),
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, and at other "
         "parameters to 2e-11 of the velocity that weight gains in a step, which adds up to that "
         "part of g, over the acceleration that remains; a narrow groove magnifies residuals by "

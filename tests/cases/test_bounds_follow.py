@@ -87,6 +87,8 @@ RIGHT = {
     "m=1.96e-6 rate=-1.37": "dem/default",
     "close-packed-failure:82 kn=6.17e7 ks=9.68e6 xb=2e-7 fs0=19 mu_p=0.424 d=8.77e-4 m=1.59e-6 "
     "rate=-1.11": "dem/default",
+    "close-packed-failure:82 kn=5.84e7 ks=6.78e6 xb=1.73e-7 fs0=18.7 mu_p=0.441 d=0.00112 "
+    "m=1.63e-6 rate=-0.769": "dem/default",
     "close-packed-failure:82 ks=5.29e6": "dem/default",
     "close-packed-failure:82 fs0=38.8 d=0.00108": "dem/default",
     "masonry:slides columns=8 courses=7 mu=0.209 D=0.0572 f=1.54 g=11 duration=0.528": (

@@ -23,7 +23,6 @@ from vv.case.judges import (
     Norm,
     Shown,
     Tolerance,
-    capped,
     judge_at_other_parameters,
     judge_for_method,
 )
@@ -43,6 +42,7 @@ from vv.case.study import (
     knobs_in_scene,
     why_too_long,
 )
+from vv.case.wide_bounds import capped, shown_if_wide
 
 __all__ = [
     "LARGEST_TOLERANCE",
@@ -90,5 +90,6 @@ __all__ = [
     "largest_step",
     "last_stable_step",
     "remembered",
+    "shown_if_wide",
     "why_too_long",
 ]

@@ -6,7 +6,6 @@ import enum
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from vv.ask import Knobs, Method
 from vv.case.code_to_code import CodeToCode
@@ -23,7 +22,6 @@ class Norm(enum.Enum):
 
 
 LARGEST_TOLERANCE = 0.1  # relative error; a larger one is wrong at any step
-TINY = 1e-100  # a step [s] or a compliance [m/N] that is still positive
 
 
 @dataclass(frozen=True)
@@ -34,7 +32,9 @@ class Tolerance:
     rigid contact. It scales as dt**order and kn**-softness with the setting. late [1/s] times the
     step is added, for events that take effect only at whole steps. The bound is never below `floor`
     nor above LARGEST_TOLERANCE. slack: the reason, if the bound is more than a hundred times the
-    error that codes reach. Raises ValueError naming the field, the value and the rule.
+    error that codes reach. over: how many times larger the bound is than `value`, if
+    that is cut at LARGEST_TOLERANCE; see `vv.case.capped`. Raises ValueError naming the field, the
+    value and the rule.
     """
 
     value: float
@@ -46,6 +46,7 @@ class Tolerance:
     kn: float | None = None
     softness: float = 0.0
     late: float = 0.0
+    over: float = 1.0
 
     def __post_init__(self) -> None:
         if not 0 < self.value <= LARGEST_TOLERANCE:
@@ -64,6 +65,8 @@ class Tolerance:
                 raise ValueError(f"Tolerance.{power} = {exponent!r}; {rule}")
         if not 0 <= self.late < math.inf:
             raise ValueError(f"Tolerance.late = {self.late!r} 1/s; it must be zero or more")
+        if not self.over >= 1:
+            raise ValueError(f"Tolerance.over = {self.over!r}; it must be one or more")
         if not 0 <= self.floor <= self.value:
             raise ValueError(
                 f"Tolerance.floor = {self.floor!r}; it must lie in [0, {self.value!r}]"
@@ -71,27 +74,17 @@ class Tolerance:
 
     def at(self, knobs: Knobs) -> float:
         """The bound at a setting."""
-        bound = self.value
+        return min(LARGEST_TOLERANCE, self.uncut(knobs))
+
+    def uncut(self, knobs: Knobs) -> float:
+        """The bound at a setting, which may exceed LARGEST_TOLERANCE."""
+        bound = self.value * self.over
         if self.dt is not None and knobs.dt is not None:
             bound *= (knobs.dt / self.dt) ** self.order
         if self.kn is not None and knobs.kn is not None:
             bound *= (self.kn / knobs.kn) ** self.softness
         bound += self.late * (knobs.dt or 0.0)
-        return min(LARGEST_TOLERANCE, max(self.floor, bound))
-
-
-def capped(value: float, reason: str, **scaling: Any) -> Tolerance:
-    """The tolerance of this value at its dt and kn, which may exceed LARGEST_TOLERANCE.
-
-    It is then stated at the step, or the stiffness, at which it is that large, so that at others it
-    is what it would be. scaling: other fields of `Tolerance`.
-    """
-    over = value / LARGEST_TOLERANCE
-    if over > 1.0 and scaling.get("order"):
-        scaling["dt"] = max(scaling["dt"] * over ** (-1 / scaling["order"]), TINY)
-    elif over > 1.0 and scaling.get("softness"):
-        scaling["kn"] = min(scaling["kn"] * over ** (1 / scaling["softness"]), 1 / TINY)
-    return Tolerance(min(value, LARGEST_TOLERANCE), reason, **scaling)
+        return max(self.floor, bound)
 
 
 @dataclass(frozen=True)

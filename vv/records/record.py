@@ -29,6 +29,7 @@ from vv.case import (
     evaluated,
     judge_at_other_parameters,
     judge_for_method,
+    shown_if_wide,
 )
 from vv.records.job_record import JobCost, ModelSummary, RunSummary
 from vv.records.outcomes import QuantityKind, Verdict
@@ -66,7 +67,8 @@ def measured(
     modified: the parameters are not the case's own.
     """
     judge = judge_for_method(quantity.judge, method)
-    judge = judge_at_other_parameters(judge) if modified else judge
+    if modified:
+        judge = shown_if_wide(judge_at_other_parameters(judge), method, knobs)
     if isinstance(quantity, Scalar) and not quantity.is_reported(run):
         judge = NOT_REPORTED
     norm, tolerance, why = _bound(judge, method, knobs)

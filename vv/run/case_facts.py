@@ -15,6 +15,7 @@ from vv.case import (
     RotationAbout,
     Series,
     Study,
+    Tolerance,
     Trial,
     Variant,
 )
@@ -102,8 +103,13 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         facts,
         norm=judge.norm.value,
         tolerances={
-            method.value: ToleranceFacts(**dataclasses.asdict(tolerance))
-            for method, tolerance in judge.tolerances.items()
+            method.value: _tolerance(tolerance) for method, tolerance in judge.tolerances.items()
         },
         shown={method.value: reason for method, reason in judge.not_judged.items()} or None,
     )
+
+
+def _tolerance(tolerance: Tolerance) -> ToleranceFacts:
+    """The tolerance in the form of a record, where one that is cut at the largest stays so."""
+    kept = (one.name for one in dataclasses.fields(ToleranceFacts))
+    return ToleranceFacts(**{name: getattr(tolerance, name) for name in kept})

@@ -30,7 +30,7 @@ BUGS = (
     Bug("terms left out pass", CHECKING, "ask.scene.terms() - run.model.terms:", "False:", tests=MEASURED),
     Bug("a copy of the reference passes", RECORD, "return bool(same and np.ptp(value) > 0)", "return False", tests=MEASURED),
     Bug("what never moves passes", RECORD, "np.ptp(value) == 0 and", "np.ptp(value) < 0 and", tests=MEASURED),
-    Bug("a tolerance above the largest", JUDGES, "return min(LARGEST_TOLERANCE, max(self.floor, bound))", "return max(self.floor, bound)", tests="tests/case"),
+    Bug("a tolerance above the largest", JUDGES, "return min(LARGEST_TOLERANCE, self.uncut(knobs))", "return self.uncut(knobs)", tests="tests/case"),
     Bug("a band of a disagreement open below", DISAGREEMENT, "band[0] <= one.error <= band[1]", "one.error <= band[1]", tests=GATE),
     Bug("any order is known", DISAGREEMENT, "if least <= order.order <= most:", "if least <= most:", tests=GATE),
     Bug("an expired entry excuses", EXPIRY, "entry.expires >= today.isoformat()", "entry.expires >= ''", tests=GATE),

@@ -7,8 +7,8 @@ import dataclasses
 import numpy as np
 
 from reference_solutions.blocks import incline
-from vv.ask import Method
-from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
+from vv.ask import Knobs, Method
+from vv.case import Exact, Parameters, Tolerance, capped
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
 STEP = 1e-3  # s
@@ -47,7 +47,7 @@ def along_dip(p: Parameters, own: bool) -> Exact:
         return Exact({**STEADY, Method.FIRST_ORDER: _half_steps(p)})
     cycles = max(1.0, p["f"] * p["duration"])
     swings = cycles * p["A"] / (2 * np.pi * p["f"]) ** 2 / _largest_slip(p)
-    sine = Tolerance(
+    sine = capped(
         _sine_error(p["f"] if p["A"] else 0.0, max(1.0, swings)),
         "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
         "(w dt)^2/12 of its amplitude A/w^2 in each cycle, or of the slip if that is larger; twice "
@@ -107,27 +107,31 @@ def _whole_stops(p: Parameters, sine: Tolerance) -> Tolerance:
     """For positions of second order, in steps that slip may begin and end within."""
     cycles = max(1.0, p["f"] * p["duration"] if p["A"] else 0.0)
     left = 2 * cycles * (p["A"] + _friction(p)) * STEP**2 / 8 / _largest_slip(p)
-    return dataclasses.replace(
-        sine,
-        value=min(sine.value + left, LARGEST_TOLERANCE),
-        reason="the sine has an error of (w dt)^2/12, of which twice is allowed. In each cycle "
-        "slip begins once and ends once within a step: the displacement that is left there is "
+    return capped(
+        sine.uncut(Knobs(STEP)) + left,
+        "the sine has an error of (w dt)^2/12, of which twice is allowed. In each cycle slip "
+        " begins once and ends once within a step: the displacement that is left there is "
         "a (dt/2)^2/2 at most, a the largest acceleration",
+        dt=STEP,
+        order=2,
+        floor=sine.floor,
     )
 
 
 def _sine_error(f: float, over: float = 1.0) -> float:
-    """`over` (w dt)^2/6 at the step STEP for a frequency [Hz], within the range of a tolerance."""
-    return float(np.clip(over * (2 * np.pi * f * STEP) ** 2 / 6, 1e-9, LARGEST_TOLERANCE))
+    """`over` (w dt)^2/6 at the step STEP for a frequency [Hz], 1e-9 at least."""
+    return max(float(over * (2 * np.pi * f * STEP) ** 2 / 6), 1e-9)
 
 
 def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
     """The tolerances of a block on springs; lagging friction doubles the error."""
-    lagging = dataclasses.replace(
-        late,
-        value=min(2 * late.value, LARGEST_TOLERANCE),
+    lagging = capped(
+        2 * late.value,
+        f"lagging friction doubles this error: {late.reason}",
+        kn=late.kn,
+        softness=late.softness,
         late=2 * late.late,
-        reason=f"lagging friction doubles this error: {late.reason}",
+        slack=late.slack,
     )
     return {
         Method.EXACT: STEADY[Method.EXACT],
@@ -154,8 +158,8 @@ def _stopping(p: Parameters, times: float) -> Tolerance:
     cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
     stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sinking(p)) * MASS / SPRING
     speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
-    return Tolerance(
-        float(np.clip(cycles * stretch / _largest_slip(p), 1e-9, LARGEST_TOLERANCE)),
+    return capped(
+        max(float(cycles * stretch / _largest_slip(p)), 1e-9),
         f"each cycle of slip and rest costs up to {times:g} stretches mu N/ks of the shear spring, "
         "or the slip that sinking adds where slip begins and ends. Shaking acts half a step late, "
         "and so do gravity and friction if the block slides from the start; slip stops at the end "
@@ -193,8 +197,8 @@ def _start_error(p: Parameters) -> float:
 def _turning(p: Parameters) -> Tolerance:
     """For a block that slips downhill and uphill in turn."""
     delayed = _friction(p) * p["duration"] * np.sqrt(MASS / SPRING) / _largest_slip(p)
-    return Tolerance(
-        float(np.clip(REVERSED * delayed, 1e-9, LARGEST_TOLERANCE)),
+    return capped(
+        max(float(REVERSED * delayed), 1e-9),
         "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m; over the duration T "
         f"the delays add up to {REVERSED:g} mu N T/(m w)",
         kn=SPRING,
@@ -205,7 +209,7 @@ def _turning(p: Parameters) -> Tolerance:
 def _rotating(p: Parameters, swept: bool) -> Tolerance:
     """For second order, where the direction of slip rotates."""
     left = "; iterations over four contacts leave a residual in each of 240 000 steps"
-    return Tolerance(
+    return capped(
         _sine_error(max(p["f"], p["fy"])),
         "where the direction of slip rotates, friction acts along its mean direction over a step, "
         f"an error of (w dt)^2/12; twice that is allowed{left if swept else ''}",

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from vv.ask import Method
-from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
+from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance, capped
 from vv.scene import Vector
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
@@ -57,16 +57,16 @@ def vertical(p: Parameters) -> Exact:
     """Upwards: the block follows the base, and sinks into springs that lift it."""
     omega = 2 * np.pi * p["fz"]
     way = np.hypot(2 * p["Dz"], p["D"])
-    sinks = Tolerance(
-        float(np.clip(2 * MASS * p["Dz"] * omega**2 / SPRING / way, 1e-9, LARGEST_TOLERANCE)),
+    sinks = capped(
+        max(float(2 * MASS * p["Dz"] * omega**2 / SPRING / way), 1e-9),
         "the block sinks by m z''/kn as the base lifts it, and twice as far where it oscillates",
         kn=SPRING,
         softness=1,
         late=2e-2,
     )
     turned = omega * STEP
-    rests = Tolerance(
-        float(np.clip(p["Dz"] * turned**3 / 6 / way, GAP, LARGEST_TOLERANCE)),
+    rests = capped(
+        max(float(p["Dz"] * turned**3 / 6 / way), GAP),
         "contact is rigid: the block has the velocity of the base at the ends of a step. The mean "
         "of both is off by Dz w (w dt)^2/12, which the next step makes up for; twice that is "
         "allowed, and a gap at the start",
@@ -113,8 +113,8 @@ def _rounding(p: Parameters, path: Path) -> Tolerance:
     turned = 2 * np.pi * max(p["f"], p["fy"]) * p["duration"]
     ways = np.abs(path(np.linspace(0.0, p["duration"], 101))).max(axis=0)[:2]
     lost = 0.1 * EPS * turned**2 * np.hypot(p["D"], p["Dy"])
-    return Tolerance(
-        float(np.clip(lost / ways.min(), 1e-13, LARGEST_TOLERANCE)) if ways.min() > 0 else 1e-13,
+    return capped(
+        max(float(lost / ways.min()), 1e-13) if ways.min() > 0 else 1e-13,
         f"{LOCATED}, and of the phases w T of the base, which add up in a slip that does not stop",
     )
 
@@ -172,8 +172,8 @@ def _second(p: Parameters) -> Tolerance:
             "located within the step: the tolerance of their location remains",
             slack="on straight lines a search ends at rounding",
         )
-    return Tolerance(
-        float(np.clip((omega * STEP) ** 2 / 8, 2e-9, LARGEST_TOLERANCE)),
+    return capped(
+        max(float((omega * STEP) ** 2 / 8), 2e-9),
         "where the block sticks it follows the sine of the base, with an error of (w dt)^2/12",
         dt=STEP,
         order=2,
@@ -184,8 +184,8 @@ def _second(p: Parameters) -> Tolerance:
 def _rotating(p: Parameters) -> Tolerance:
     """For slip whose direction rotates."""
     omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
-    return Tolerance(
-        float(np.clip(0.6 * (omega * STEP) ** 2, 1e-7, LARGEST_TOLERANCE)),
+    return capped(
+        max(float(0.6 * (omega * STEP) ** 2), 1e-7),
         "friction acts along the mean direction of slip over a step. Where the slip is slow its "
         "direction turns by more than w dt of the fastest sine, and the error is the square of "
         "that angle",
@@ -198,8 +198,8 @@ def _rotating(p: Parameters) -> Tolerance:
 def _late_reversals(rate: float, by_springs: float, by_steps: float, more: str = "") -> Tolerance:
     """For late reversals of slip; rate: mu g T over the displacement [1/s]."""
     value = rate * by_springs * np.sqrt(MASS / SPRING)
-    return Tolerance(
-        float(np.clip(value, 1e-9, LARGEST_TOLERANCE)),
+    return capped(
+        max(float(value), 1e-9),
         "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, and reversals fall "
         "on whole steps; over the duration T the delays add up to mu g T "
         f"({by_springs:g}/w + {by_steps:g} dt){more}",

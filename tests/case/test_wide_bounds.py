@@ -1,0 +1,70 @@
+"""Claims about bounds above the largest: cut at the case's parameters, elsewhere only shown."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.support.records.measured_runs import SECOND, run
+from vv.ask import Knobs, Method
+from vv.case import Exact, Interval, Scalar, Shown, Tolerance, capped, shown_if_wide
+from vv.records.outcomes import Verdict
+from vv.records.record import measured
+
+AT = Knobs(1e-3, 1e8)
+
+
+def test_a_bound_that_nothing_scales_is_cut_and_tells_what_it_is() -> None:
+    found = capped(0.25, "why", late=10.0)
+    assert (found.value, found.over) == (0.1, 2.5)
+    assert found.uncut(AT) == pytest.approx(0.26)
+    assert found.at(AT) == 0.1
+    assert capped(0.05, "why").over == 1.0
+
+
+@pytest.mark.parametrize("over", [0.9, np.nan])
+def test_a_bound_is_cut_to_no_more_than_it_is(over: float) -> None:
+    with pytest.raises(ValueError, match=r"Tolerance\.over = .*; it must be one or more"):
+        Tolerance(0.1, "why", over=over)
+
+
+@pytest.mark.parametrize(
+    ("bound", "shown"),
+    [
+        (Tolerance(0.1, "why"), False),
+        (capped(0.1001, "why"), True),
+        (capped(0.4, "why", dt=2e-3, order=2), False),  # 0.1 at 1e-3 s
+        (capped(0.41, "why", dt=2e-3, order=2), True),
+        (Tolerance(0.09, "why", late=9.0), False),
+        (Tolerance(0.09, "why", late=11.0), True),
+        (Tolerance(0.05, "why", kn=5e8, softness=0.5), True),
+    ],
+)
+def test_a_run_is_shown_where_its_bound_is_above_the_largest(bound: Tolerance, shown: bool) -> None:
+    judge = Exact({SECOND: bound})
+    found = shown_if_wide(judge, SECOND, AT)
+    assert isinstance(found, Shown) is shown
+    assert not isinstance(found, Shown) or "is allowed, so that nothing would be" in found.reason
+    assert shown or found is judge
+    assert shown_if_wide(judge, Method.LEAPFROG, AT) == found  # judged as its general class
+
+
+def test_other_judges_stay() -> None:
+    inside = Interval(1.0, 3.0, "why")
+    assert shown_if_wide(inside, SECOND, AT) is inside
+
+
+@pytest.mark.parametrize(
+    ("modified", "value", "verdict"),
+    [
+        (False, 1.2, Verdict.FAIL),  # at the case's own parameters no error may be so large
+        (False, 1.09, Verdict.PASS),
+        (True, 1.2, Verdict.NO_REFERENCE),
+    ],
+)
+def test_it_is_cut_at_the_parameters_of_the_case_alone(
+    modified: bool, value: float, verdict: Verdict
+) -> None:
+    judge = Exact({SECOND: capped(0.25, "why")})
+    quantity = Scalar("e", "e", "J", "energy", lambda run: value, 1.0, 1.0, judge)
+    assert measured(run(), quantity, SECOND, AT, modified)[0].verdict is verdict
