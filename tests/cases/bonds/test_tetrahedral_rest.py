@@ -48,7 +48,7 @@ def test_the_parameters_of_the_case_keep_their_durations(variant: str) -> None:
 
 
 def test_a_unit_that_nothing_brings_to_rest_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"eta = 0\.0 N s/m; all must be positive"):
+    with pytest.raises(ValueError, match=r"eta = 0\.0 N s/m; it must be positive"):
         CASE.declare("pulled", {**CASE.defaults("pulled"), "eta": 0.0})
 
 
