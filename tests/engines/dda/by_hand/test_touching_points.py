@@ -1,4 +1,4 @@
-"""Claims about how many corners of a block that cannot turn touch its wall, whatever its size."""
+"""Claims about the contacts that are looked for, whatever the size of blocks."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ import pytest
 
 from tests.scenes.blocks.block_scenes import FLOOR, FREE, HELD, IN_PLANE, box
 from vv.engines.dda.formulation import Formulation
+from vv.engines.dda.general.model import General
 from vv.engines.dda.point.model import LEVEL, SAME, sliding
+from vv.engines.dda.springs import Springs
 from vv.scene import Contact, Scene
 
 ANY = Formulation(1e-9, 10, 1)
@@ -42,3 +44,12 @@ def test_corners_behind_one_another_in_a_plane_scene_are_one_to_a_part_of_the_si
     askew = part * SAME
     axes = [[1.0, -askew, 0.0], [askew, 1.0, 0.0], [0.0, 0.0, 1.0]]
     assert points(size, axes, IN_PLANE) == touch
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_contacts_are_looked_for_within_a_hundredth_of_the_smallest_block(size: float) -> None:
+    """Of its largest extent, which is 0.8 of the size here."""
+    large = box("large", [0.0, 0.0, 0.0], size * HALF)
+    small = box("small", [9.0 * size, 0.0, 0.0], [0.1 * size, 0.4 * size, 0.2 * size])
+    model = General(Scene((small, large), Contact(1e6)), ANY)
+    assert model.setting(1.0, Springs(1e6, None, None)).reach == pytest.approx(8e-3 * size)
