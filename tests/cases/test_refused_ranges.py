@@ -55,6 +55,8 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("galperin", "31", {"x": 0.1, "kn": 1.05e7}, {"x": 0.1, "kn": 9.7e6}, "last 0.00101 s"),
         ("resting", "booked", {"v": 1.8e-3}, {"v": 2e-3}, "contacts open, by about"),
         ("passing", "sheared", {"v": 8e-3}, {"v": 8.3e-3}, "large that the contacts nearly slip"),
+        ("damped-swing", "resolved", {"v": 0.0979}, {"v": 0.0983}, "on, the tip lifts off"),
+        ("implicit-swing", "near-four", {"v": -0.0979}, {"v": -0.0983}, "on, the tip lifts off"),
         ("skid", "wall", {"vn": 99.0}, {"vn": 101.0}, "the sphere would sink by 0.101 m"),
         ("unlike-bonds", "slowed", {"eta": 3990.0}, {"eta": 4010.0}, "it must be below 4000 N s/m"),
         # shapes, materials and strains
