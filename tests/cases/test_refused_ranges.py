@@ -57,6 +57,11 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("passing", "sheared", {"v": 8e-3}, {"v": 8.3e-3}, "large that the contacts nearly slip"),
         ("damped-swing", "resolved", {"v": 0.0979}, {"v": 0.0983}, "on, the tip lifts off"),
         ("implicit-swing", "near-four", {"v": -0.0979}, {"v": -0.0983}, "on, the tip lifts off"),
+        ("chain", "jump", {"load": 950.0}, {"load": 960.0}, "would overlap by 0.01008 m"),
+        ("chain", "mode-3", {"part": 0.19}, {"part": 0.21}, "it must be between 0 and 0.2"),
+        ("chain", "mode-3", {"part": 0.01}, {"part": -0.01}, "it must be between 0 and 0.2"),
+        ("kinetic-damping", "3-per-cent", {"a": 0.1}, {"a": 0.0}, "both must be positive"),
+        ("kinetic-damping", "3-per-cent", {"t": 0.1}, {"t": 0.0}, "both must be positive"),
         ("skid", "wall", {"vn": 99.0}, {"vn": 101.0}, "the sphere would sink by 0.101 m"),
         ("unlike-bonds", "slowed", {"eta": 3990.0}, {"eta": 4010.0}, "it must be below 4000 N s/m"),
         # shapes, materials and strains
