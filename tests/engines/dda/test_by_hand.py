@@ -127,7 +127,8 @@ def three_contacts() -> dict[str, Any]:
     )
     rub = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 750.0, 0.0]])
     relative = np.array([[0.0, 0.0, 1e-4], [0.0, 0.0, 1e-6], [1e-2, 0.0, 0.0]])
-    moves = {"relative": relative, "gap": np.zeros(3), "shut": np.zeros((3, 3)), "u": np.zeros(1)}
+    shut = relative * [0.0, 0.0, -1.0]  # walls move away
+    moves = {"relative": relative, "gap": np.zeros(3), "shut": shut, "u": np.zeros(1)}
     return {"touch": touch, "used": USED, "rub": rub, **moves}
 
 
@@ -176,6 +177,7 @@ def test_friction_turns_slowly_where_slip_is_faint(slip: float, before: float, t
     contacts = three_contacts()
     opened = 2e-2
     contacts["relative"][2] = slip, 0.0, opened
+    contacts["shut"][2, 2] = -opened
     contacts["touch"].gap[2] -= opened
     contacts["touch"].spring[2, 0] = before
     assert (KS * slip < FIRM * MU * 1500.0) == (slip < 1e-3)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from vv.ask import NO_STIFFNESS, Ask
 from vv.engines.blocks.checks import moves_where_locked, overlaps, undetermined
 from vv.engines.dda.formulation import DEFAULT, Formulation
+from vv.engines.dda.limits import UNLIKE
 from vv.scene import Scene
 
+PARALLEL = 4 * float(np.finfo(float).eps)  # sine between opposite normals that are rounded
 YIELDING = 1e-9  # relative to friction: a larger load by less than this moves a block negligibly
 
 
@@ -59,9 +63,19 @@ def _slides_before_start(scene: Scene, settling: float) -> str | None:
 
 
 def _why_no_multipliers(scene: Scene) -> str | None:
-    """Why multipliers are refused: for contact on springs, or several blocks that can rotate."""
+    """Why multipliers are refused: for contact on springs, or several blocks that can rotate.
+
+    Or for a groove that they do not find, see `least_share`.
+    """
     if not scene.contact.rigid:
         return "multipliers keep gaps at zero, but the scene has contact on springs"
+    for (i, one), (j, two) in itertools.combinations(enumerate(scene.walls), 2):
+        opening = float(np.linalg.norm(np.cross(one.normal, two.normal)))
+        if one.normal @ two.normal < 0.0 and PARALLEL < opening < UNLIKE:
+            return (
+                f"walls {i} and {j} enclose {opening:.6g} rad; multipliers take sides that enclose "
+                f"less than {UNLIKE:g} rad for parallel, and a wedge would fall between them"
+            )
     turning = [block.name for block in scene.blocks if block.free_spin.any()]
     if len(turning) < 2:
         return None

@@ -9,12 +9,13 @@ from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.setting import Law, Trial
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM, HELD
-from vv.engines.kernels.arrays import larger
-from vv.engines.kernels.compiled import lent
+from vv.engines.kernels.arrays import larger, same_numbers
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
 EPS = float(np.finfo(float).eps)
+FRESH = 4.0  # roundings in a gap: of the vertex, the wall's point, their difference, and a product
 ROUNDINGS = 1024.0  # of coordinates: the random walk of a million rounded steps
 
 
@@ -38,6 +39,20 @@ def slip_rounding(k: int, touch: Touch, u: Vector, shut: Vector) -> float:
 
 
 @lent
+def opening(k: int, touch: Touch, u: Vector, shut: Vector) -> float:
+    """By how much contact k opens for unknowns u (q,) [m], without the rounding of its slip.
+
+    A step of 5 mm along a groove is rounded by 1e-18 m; springs that support a wedge of 1e-7 rad in
+    steps of 1 ms turn that into 1e-5 of the force on a side.
+    """
+    n = at(touch.normal, k)
+    opened = -dot(at(shut, k), n)
+    for m in range(touch.columns[k]):
+        opened += u[touch.column[k, m]] * dot(at(touch.field[k], m), n)
+    return opened
+
+
+@lent
 def take_over_forces(
     touch: Touch, trial: Trial, gap: Vector, u: Vector, law: Law
 ) -> tuple[float, float, bool]:
@@ -53,7 +68,7 @@ def take_over_forces(
     off, most, turns = 0.0, 0.0, False
     for k in range(len(touch.key)):
         n, moves = at(touch.normal, k), at(relative, k)
-        opened, spring = dot(moves, n), NOWHERE
+        opened, spring = opening(k, touch, u, trial.shut), NOWHERE
         push = -stiff * (touch.gap[k] + opened)
         if used[k] == OPEN:
             off, push = larger(off, push), 0.0
@@ -86,6 +101,20 @@ def gap_rounding(motion: Motion) -> float:
     for k in range(len(motion.vertex)):
         far = larger(far, length(at(motion.vertex, k)))
     return ROUNDINGS * EPS * far
+
+
+@called
+def gaps_beyond_rounding(touch: Touch, motion: Motion) -> Vector:
+    """The gaps (c,) before the step [m]; those that fresh rounding explains are zero.
+
+    A narrow groove magnifies a gap by 1/sin(xi/2) to the displacement that closes it. At a block
+    that hardly slides, this would turn friction, which then carries the block.
+    """
+    gap, least = same_numbers(touch.gap, len(touch.key)), FRESH / ROUNDINGS * gap_rounding(motion)
+    for k in range(len(gap)):
+        if abs(gap[k]) <= least:
+            gap[k] = 0.0
+    return gap
 
 
 @lent

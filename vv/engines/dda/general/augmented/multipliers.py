@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from vv.engines.dda.general.augmented.firmness import firm_springs
 from vv.engines.dda.general.augmented.forces import (
     gap_rounding,
+    gaps_beyond_rounding,
     length,
     shorten_springs,
     take_over_forces,
@@ -26,10 +28,10 @@ from vv.engines.dda.general.energy import (
     NUMERICAL,
     add_force,
 )
-from vv.engines.dda.general.iterate import inertia_stiffness, iterate, trial_of
+from vv.engines.dda.general.iterate import iterate, trial_of
 from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import SLIDE, STICK
-from vv.engines.dda.limits import FIRM, HELD, PATIENT, SLOW, STUCK
+from vv.engines.dda.limits import HELD, PATIENT, SLOW, STUCK
 from vv.engines.kernels.arrays import larger, same_numbers, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
@@ -98,18 +100,17 @@ def iterate_multipliers(
 ) -> tuple[bool, int, Trial]:
     """Repeat `iterate` in at most so many passes as choices say, until springs carry nothing.
 
-    The stiffnesses of springs are first raised above the inertia of contacts, and again after
-    passes that leave more than SLOW of the forces, unless the rest is rounding and friction has
-    rotated with the slip. A pass that does not converge is repeated once with all contacts
-    sticking; where it follows one that left rounding alone, that one is the solution. At the end
-    springs are softened again, see `iterate_softly`. The normal forces in touch become the
-    multipliers, and its springs the tangential multipliers over ks.
+    The stiffnesses of springs are first raised by `firm_springs`, and again after passes that leave
+    more than SLOW of the forces, unless the rest is rounding and friction has rotated with the
+    slip. A pass that does not converge is repeated once with all contacts sticking; where it
+    follows one that left rounding alone, that one is the solution. At the end springs are softened
+    again, see `iterate_softly`. The normal forces in touch become the multipliers, and its springs
+    the tangential multipliers over ks.
     """
     most, kn, ks = setting.choices.multipliers, setting.law.kn, setting.law.ks
-    gap, firm = same_numbers(touch.gap, len(touch.key)), kn
-    for light in inertia_stiffness(touch, touch.state, setting.bodies, part.length, part.weight):
-        firm = larger(firm, FIRM * light)
-    soft, times, passes, solved = firm, firm / kn, 0, 0
+    gap = gaps_beyond_rounding(touch, motion)
+    soft, start = firm_springs(touch, setting.bodies, part, kn)
+    firm, times, passes, solved = soft, start, 0, 0  # times: shear springs over ks
     before, ended, anew, grow = np.inf, False, False, 1.0
     blur, last = gap_rounding(motion), trial_of(touch, work.moved)
     shorten_springs(touch, gap, firm, times)
@@ -136,7 +137,7 @@ def iterate_multipliers(
         before, firm, times, last = off if still else np.inf, firm * grow, times * grow, trial
         shorten_springs(touch, gap, firm, grow)
     if ended and firm > soft:
-        times = soft / kn
+        times = start
         law = Law(soft, ks * times, setting.law.mu, setting.law.hold)
         shorten_springs(touch, gap, soft, soft / firm)
         more, trial = iterate_softly(touch, work, setting, motion, law, part, gap, trial)
