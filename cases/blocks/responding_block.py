@@ -91,7 +91,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 CHANCE = 0.2  # of the displacement: what may depend on how steps fit into the period
-STIFFER, STIFFEST = Knobs(2.5e-4, 1e9), Knobs(1e-4, 1e10)
+STIFFER, STIFFEST = Knobs(2.5e-4, 1e9), Knobs(2e-5, 1e11)
 RESOLVED = (Knobs(1e-4, 1e9), Knobs(5e-5, 1e9), STIFFEST)  # where one step at most is left
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
@@ -113,7 +113,8 @@ def _resolved_levels(
 ) -> dict[Level, tuple[Knobs, ...]]:
     """The levels without steps so long that the answer depends on where reversals of slip fall.
 
-    Every level has springs so stiff that an error of 1 % of friction exceeds that of their delay.
+    Every level has springs so stiff and steps so short that an error of 1 % of friction exceeds
+    the bound of what they delay.
     """
     lost = _responding_bounds.reversal_error(p) if directions(p) == 1 else 0.0
     fine = {
