@@ -10,8 +10,10 @@ import pytest
 from tests.scenes.blocks.block_scenes import FLOOR, FREE, HELD, IN_PLANE, box
 from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.model import General
+from vv.engines.dda.limits import FLOAT
 from vv.engines.dda.point.model import LEVEL, SAME, sliding
 from vv.engines.dda.springs import Springs
+from vv.engines.dda.stepping import Steps
 from vv.scene import Contact, Scene
 
 ANY = Formulation(1e-9, 10, 1)
@@ -53,3 +55,19 @@ def test_contacts_are_looked_for_within_a_hundredth_of_the_smallest_block(size: 
     small = box("small", [9.0 * size, 0.0, 0.0], [0.1 * size, 0.4 * size, 0.2 * size])
     model = General(Scene((small, large), Contact(1e6)), ANY)
     assert model.setting(1.0, Springs(1e6, None, None)).reach == pytest.approx(8e-3 * size)
+
+
+@pytest.mark.parametrize(("part", "rests"), [(0.9, True), (1.1, False)])
+def test_a_block_rests_as_near_as_what_weight_and_load_together_press_a_spring(
+    part: float, rests: bool
+) -> None:
+    """Half of the weight of 240 kg is borne by the load."""
+    gravity, kn = np.array([0.0, 0.0, -10.0]), 1e9
+    gap = part * FLOAT * 1200.0 / kn
+    centre, half, load = [0.0, 0.0, 0.3 + gap], [0.4, 0.25, 0.3], np.array([0.0, 0.0, 1200.0])
+    block = box("b", centre, half, free_spin=HELD, load=load)
+    assert block.mass == pytest.approx(240.0)
+    model = sliding(Scene((FLOOR, block), Contact(np.inf), gravity=gravity), ANY)
+    assert model is not None
+    told = model.arguments(Steps(1, 1e-3, 0), Springs(kn, None, None))
+    assert told[3] is rests

@@ -112,7 +112,7 @@ def _points(lone: Lone, depth: Vector) -> int:
     """The number of points that touch first; points behind one another in a plane scene are one."""
     block, wall = lone.block, lone.wall
     size = float(np.ptp(block.vertices, axis=0).max())
-    height = (block.vertices - wall.point) @ wall.normal
+    height = block.vertices @ wall.normal
     lowest = block.vertices[height <= height.min() + LEVEL * size]
     flat = lowest - np.outer(lowest @ depth, depth)
     apart = np.linalg.norm(flat[:, None] - flat[None], axis=2)
