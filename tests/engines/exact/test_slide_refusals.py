@@ -89,8 +89,8 @@ def test_events_that_accumulate_are_an_answer(monkeypatch: pytest.MonkeyPatch) -
     assert run.model is not None
 
 
-def test_too_many_steps_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_too_many_steps_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("vv.engines.exact.slide.flow.MOST_STEPS", 10)
     run = solve(Ask(responding(0.2, 2.0, 0.6), History(5.0, 0.1), (BOX,)))
-    assert run.status is Status.DIVERGED
+    assert run.status is Status.REFUSED
     assert "more than 10 steps" in run.reason

@@ -185,11 +185,11 @@ def test_a_block_locked_across_the_dip_slips_along_a_line() -> None:
     assert run.model.unknowns == 1
 
 
-def test_too_many_pieces_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_too_many_pieces_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("vv.engines.exact.turn.flow.FEW", 10)
     monkeypatch.setattr("vv.engines.exact.turn.flow.MOST", 40)
     run = solve(Ask(shaken_slope(0), History(DURATION, 0.1), (BOX,)))
-    assert run.status is Status.DIVERGED
+    assert run.status is Status.REFUSED
     assert "more than 40 steps" in run.reason
 
 

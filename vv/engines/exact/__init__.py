@@ -74,7 +74,10 @@ class Flow(Protocol):
         """Load or compile the kernel."""
 
     def follow(self) -> Any:
-        """Run the kernel, which is what is timed; raises StoppedError if the motion stops early."""
+        """Run the kernel, which is what is timed.
+
+        Raises StoppedError if the motion stops early, RefusedError if it takes too many steps.
+        """
 
     def path(self, outcome: Any, /) -> Motion:
         """The motion, made from the outcome of `follow`."""
@@ -118,7 +121,7 @@ def ready(problem: Problem, duration: float) -> Flow:
 
 
 def move(problem: Problem, duration: float) -> Motion:
-    """The exact motion over a duration [s]; raises StoppedError if it stops early."""
+    """The exact motion over a duration [s]; raises as `Flow.follow`."""
     flow = ready(problem, duration)
     return flow.path(flow.follow())
 
@@ -134,12 +137,12 @@ def solve(ask: Ask, prepare: Prepare = prepare) -> Run:
     """The run of an ask, without its cost: refused, diverged, or exact to rounding errors."""
     try:
         problem = prepare(ask)
+        try:
+            path = move(problem, duration(ask))
+        except StoppedError as reason:
+            return Run(Status.DIVERGED, str(reason), model=model(ask.scene, problem))
     except RefusedError as reason:
         return Run(Status.REFUSED, str(reason))
-    try:
-        path = move(problem, duration(ask))
-    except StoppedError as reason:
-        return Run(Status.DIVERGED, str(reason), model=model(ask.scene, problem))
     return answer(ask, path)
 
 

@@ -18,6 +18,7 @@ from vv.engines.exact.kernel import (
     follow_system,
 )
 from vv.engines.exact.path import Path
+from vv.engines.exact.reachability import RefusedError
 from vv.engines.exact.stopped import StoppedError
 from vv.engines.exact.system import System
 from vv.engines.kernels.compiled import entry
@@ -50,13 +51,18 @@ class SystemFlow:
         self._kernel  # noqa: B018 - a cached property
 
     def follow(self) -> Outcome:
-        """Run the kernel, which is what is timed; raises StoppedError if the motion stops early."""
+        """Run the kernel, which is what is timed; raises as `Flow.follow`."""
         while True:
             outcome = self._kernel(*self._initial(), self.duration, MOST_EVENTS, *self.filled)
             if outcome[0] == ENDED:
                 return outcome
-            if outcome[0] != FULL or self.room >= self.most:
+            if outcome[0] != FULL:
                 raise StoppedError(self._why(outcome))
+            if self.room >= self.most:
+                raise RefusedError(
+                    "the duration is too long for so fast a motion: more than "
+                    f"{self.most} steps by t = {outcome[2]:.6g} s"
+                )
             self.room = min(4 * self.room, self.most)
             self.filled = self._filled()
 
@@ -96,12 +102,10 @@ class SystemFlow:
         return {
             BEYOND: f"the motion exceeds the range of floating-point numbers at t = {t:.6g} s",
             CROWDED: f"events accumulate: more than {MOST_EVENTS} by t = {t:.6g} s",
-            FULL: "the duration is too long for so fast a motion: more than "
-            f"{self.most} steps by t = {t:.6g} s",
         }[code]
 
 
 def follow(system: System, duration: float) -> Path:
-    """The motion of any system over a duration [s]; raises StoppedError if it stops early."""
+    """The motion of any system over a duration [s]; raises as `Flow.follow`."""
     flow = SystemFlow(system, duration)
     return flow.path(flow.follow())

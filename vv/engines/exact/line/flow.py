@@ -33,12 +33,12 @@ class LineFlow:
         self._kernel  # noqa: B018 - a cached property
 
     def follow(self) -> int | Outcome:
-        """Run the kernel, which is what is timed; raises StoppedError if the motion stops early."""
+        """Run the kernel, which is what is timed; raises as `Flow.follow`."""
         count = self._kernel(*self._arguments)
         return count if count > 0 else self._general.follow()
 
     def path(self, outcome: int | Outcome) -> Path:
-        """The motion, made from the outcome of `follow`; raises StoppedError if it is too long."""
+        """The motion, made from the outcome of `follow`; raises RefusedError if it is too long."""
         if not isinstance(outcome, int):
             return self._general.path(outcome)
         pieces = self.pieces[:outcome]

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 
 from vv.engines.exact.guards import GUARD_ROUNDING
 from vv.engines.exact.modes import STATES, State
+from vv.engines.exact.reachability import RefusedError
 from vv.engines.exact.roots import first_descent_below_zero
-from vv.engines.exact.slide.clock import ORDER, Clock, Instant
+from vv.engines.exact.slide.clock import ORDER, Clock
 from vv.engines.exact.slide.kernel import CROWDED, ENDED, follow_line
 from vv.engines.exact.slide.path import Slide
 from vv.engines.exact.slide.system import Slider, TurningSlider
@@ -37,14 +38,14 @@ class SliderFlow:
         self._kernel  # noqa: B018 - a cached property
 
     def follow(self) -> int:
-        """Run the kernel, which is what is timed: the number of pieces; raises StoppedError."""
+        """Run the kernel, which is what is timed: the number of pieces; raises as `Flow.follow`."""
         while True:
             outcome, count = self._kernel(*self._arguments, *self.filled)
             if outcome == ENDED:
                 return count
             if outcome == CROWDED or self.room >= MOST_STEPS:
                 cell = self.filled[0][:count, 0].max(initial=0.0)
-                raise StoppedError(_why(outcome, self.clock, (cell, 0.0)))
+                _stop(outcome, f"by t = {self.clock.time((cell, 0.0)):.6g} s")
             self.room = min(4 * self.room, MOST_STEPS)
             self.filled = self._filled()
 
@@ -76,12 +77,13 @@ class SliderFlow:
         return np.empty((room, 3)), np.empty(room, np.int64), np.empty((room, ORDER + 1))
 
 
-def _why(outcome: int, clock: Clock, instant: Instant) -> str:
-    """The reason for which a motion stops early."""
-    at = f"by t = {clock.time(instant):.6g} s"
+def _stop(outcome: int, at: str) -> NoReturn:
+    """Raise the error of a motion that stops early, or takes too many steps."""
     if outcome == CROWDED:
-        return f"events accumulate: more than {MOST_EVENTS} in a quarter period {at}"
-    return f"the duration is too long for so fast a motion: more than {MOST_STEPS} steps {at}"
+        raise StoppedError(f"events accumulate: more than {MOST_EVENTS} in a quarter period {at}")
+    raise RefusedError(
+        f"the duration is too long for so fast a motion: more than {MOST_STEPS} steps {at}"
+    )
 
 
 def lift_off(slider: Slider | TurningSlider, duration: float) -> float | None:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from vv.engines.exact.guards import GUARD_ROUNDING
+from vv.engines.exact.reachability import RefusedError
 from vv.engines.exact.roots import EPS
 from vv.engines.exact.slide.system import TurningSlider
 from vv.engines.exact.stopped import StoppedError
@@ -35,7 +36,7 @@ class TurningFlow:
         self._kernel  # noqa: B018 - a cached property
 
     def follow(self) -> int:
-        """Run the kernel, which is what is timed: the number of pieces; raises StoppedError."""
+        """Run the kernel, which is what is timed: the number of pieces; raises as `Flow.follow`."""
         while True:
             outcome, count, t = self._kernel(*self._arguments, *self.filled)
             if outcome == ENDED:
@@ -46,7 +47,7 @@ class TurningFlow:
                     "rising above it in first order"
                 )
             if self.room >= MOST:
-                raise StoppedError(
+                raise RefusedError(
                     f"the duration is too long for so fast a motion: more than {MOST} steps by "
                     f"t = {t:.6g} s"
                 )
