@@ -35,7 +35,7 @@ SAMPLES = 401  # times at which series are evaluated for changed parameters
 PATIENCE = 20.0  # limit of CPU time [s] for the references of a variant at changed parameters
 REFUSED = (ValueError, ArithmeticError, RuntimeError)
 FAR = (*REFUSED, LookupError, MemoryError, TypeError)  # formulas also raise these at far values
-INERT = "inert, since the exact answer does not contain it: only numerical errors may change"
+INERT = "inert, since the exact answer does not contain it: only the errors of codes may change"
 
 
 def make_plan(project: Project, selection: Sequence[str], options: Options) -> Plan:
