@@ -43,7 +43,7 @@ FOUND: Table = {
     ],
     "which makes them first order in two and three directions": [
         *each(BOTH, ("responding-block:3d", None, "distance", 7.4e-3, 7.8e-3)),
-        *each(BOTH, ("responding-block:3d", DEFAULT, "distance", 8.8e-4, 9.5e-4)),
+        *each(BOTH, ("responding-block:3d", DEFAULT, "distance", 1.8e-4, 2.0e-4)),
     ],
     "6e-3 of the restitution at 0.6 of critical and a step of 2e-5 s, 8e-4 at 2.5e-6 s": [
         *each(BOTH, ("dashpot:z-0.6", None, "restitution", 6.0e-3, 6.8e-3)),
