@@ -170,7 +170,7 @@ def _judge(test: str, p: Parameters) -> Exact:
             slack="T1 and T2 are exact to a few eps, T3 and T4 where coordinates are round",
         ),
         Method.SECOND_ORDER: capped(
-        max(float(phase), rounded),
+            max(float(phase), rounded),
             "the phase error of a leapfrog, (k dt)^2/24 per period, is 2e-5 at 1e-3 s and grows "
             "with drag; where contact and slip begin or end within a step, errors of the same "
             "order are added. Below it each of 4e4 steps rounds by eps, and the overlap of T3 and "
@@ -180,7 +180,7 @@ def _judge(test: str, p: Parameters) -> Exact:
             floor=rounded,
         ),
         Method.FIRST_ORDER: capped(
-        max(float(_first_order(k, n) * step), rounded),
+            max(float(_first_order(k, n) * step), rounded),
             "drag that is half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s; a "
             "start half a step late changes the velocity by as much, or by a part of k dt. Both "
             "errors add up over the three stages of T4",

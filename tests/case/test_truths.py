@@ -70,7 +70,7 @@ def test_a_parameter_has_the_sign_of_its_unit_unless_it_says_otherwise(
         one.checked(value)
 
 
-def test_units_of_parameters_are_those_of_si() -> None:
+def test_units_of_parameters_are_those_of_mechanics_without_prefixes() -> None:
     for unit in ("", "m", "kg/m3", "N s/m", "1/s", "N/m3", "Pa s", "m2", "deg", "J/kg", "1/m s"):
         assert Parameter("p", 1.0, unit, "what").unit == unit
     for unit in (
@@ -87,7 +87,7 @@ def test_units_of_parameters_are_those_of_si() -> None:
         " m",
         "m\n",
     ):
-        with pytest.raises(ValueError, match=r"^Parameter p: unit = '.*'; it must be of SI, such"):
+        with pytest.raises(ValueError, match=r"^Parameter p: unit = '.*'; it must be made of kg,"):
             Parameter("p", 1.0, unit, "what")
 
 

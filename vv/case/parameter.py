@@ -31,7 +31,8 @@ class Parameter:
 
     sign: by default that of its unit: a mass is positive, a stiffness not negative, a length may
     be either. whole: it counts things, and takes whole numbers alone. Raises ValueError for a unit
-    that is not SI, and for a default that breaks a rule, as a Case does for a variant's.
+    that is not made of symbols of UNIT, and for a default that breaks a rule, as a Case does for a
+    variant's.
     """
 
     name: str
@@ -44,8 +45,8 @@ class Parameter:
     def __post_init__(self) -> None:
         if not UNIT.fullmatch(self.unit):
             raise ValueError(
-                f"Parameter {self.name}: unit = {self.unit!r}; it must be of SI, such as m, kg/m3, "
-                "N s/m, 1/s or deg, or empty for a plain number"
+                f"Parameter {self.name}: unit = {self.unit!r}; it must be made of kg, m, s, N, "
+                "Pa, J, W, Hz, rad or deg, such as kg/m3, N s/m or 1/s, or empty for a plain number"
             )
         self.checked(self.value)
 

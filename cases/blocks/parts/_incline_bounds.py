@@ -110,7 +110,7 @@ def _whole_stops(p: Parameters, sine: Tolerance) -> Tolerance:
     return capped(
         sine.uncut(Knobs(STEP)) + left,
         "the sine has an error of (w dt)^2/12, of which twice is allowed. In each cycle slip "
-        " begins once and ends once within a step: the displacement that is left there is "
+        "begins once and ends once within a step: the displacement that is left there is "
         "a (dt/2)^2/2 at most, a the largest acceleration",
         dt=STEP,
         order=2,

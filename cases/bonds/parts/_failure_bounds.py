@@ -36,7 +36,9 @@ def history_bounds(block: Lattice, own: bool) -> Exact | Shown:
 
 
 def after_openings(p: Parameters, block: Lattice, apart: float, own: bool) -> Exact | Shown:
-    """Of a landmark that follows some openings; apart, own: as of the others."""
+    """Of a landmark that follows some openings; apart: the strain between two outputs; own: the
+    parameters are the case's.
+    """
     return first_opening(p, block, apart) if own else Shown(ORDER)
 
 

@@ -56,7 +56,7 @@ def test_a_stone_is_held_at_the_ends_of_the_parts_of_its_sides_that_touch() -> N
 def test_walls_end_to_slide_as_one_block_where_a_second_route_says(
     columns: int, courses: int, ends: float
 ) -> None:
-    """A route that finds contacts of polygons, at a thrust of mu, and another one from 0.4 on."""
+    """The second route finds contacts of polygons; a wall that slides has a thrust of mu."""
     laid = list(facade.courses(columns, courses, 0.4))
     stones = [Stone(a, b, n * 0.2, (n + 1) * 0.2) for n, a, b in laid]
     polygons = [np.array([[s[0], s[2]], [s[1], s[2]], [s[1], s[3]], [s[0], s[3]]]) for s in stones]

@@ -38,7 +38,8 @@ def least_share(touch: Touch, bodies: Bodies) -> float:
     """The stiffness of normal springs in the direction that they resist least, over their sum.
 
     It is the least of all blocks, for displacements without rotation that contacts resist at all.
-    Of two sides whose normals enclose an angle with the sine r, it is (1 - cos)/2.
+    Of two sides whose normals enclose an angle it is (1 - |cos|)/2. Of more it is an estimate, to a
+    factor of about eight: passes stiffen springs further where that leaves too much.
     """
     blocks = len(bodies.mass)
     one, two, least = zero_rows(blocks), zero_rows(blocks), 1.0
