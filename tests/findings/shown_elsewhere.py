@@ -70,6 +70,11 @@ TESTED: Mapping[str, tuple[str, ...]] = {
     "sides that enclose less than 1e-9 rad are refused": (
         f"{DDA}/slides/test_grooves.py::test_sides_that_multipliers_would_take_for_parallel_are_refused",
     ),
+    "In a groove that is oblique to the frame a wedge that friction holds stays to 1e-9 m down to "
+    "1e-6 rad, though at 1e-5 rad its energy is off by more than rounding is allowed, and at 1e-6 "
+    "rad steps are kept unconverged": (
+        f"{DDA}/slides/test_grooves.py::test_in_oblique_grooves_balances_fail_but_wedges_stay",
+    ),
     "the depth W/(4 kn sin^2(xi/2)) holds for any springs": (
         "tests/references/hard/test_wedge_on_springs.py::test_the_two_routes_agree_on_what_swings_and_slides",
     ),

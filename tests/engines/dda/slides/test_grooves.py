@@ -14,7 +14,7 @@ from vv.ask import Ask, Displacement, Knobs, Method
 from vv.case import Exact, Series
 from vv.engines.dda import BORNE, DEFAULT, refuses
 from vv.plan.project import find
-from vv.scene import Vector, with_bodies_reversed
+from vv.scene import Vector, rotated, with_bodies_reversed
 
 WEDGE = find().load_case("wedge")
 UNITS = ((2.0**-10, 2.0**5, 2.0**9), (1e3, 1e3, 1e3), (0.3048, 60.0, 0.4536))
@@ -75,6 +75,29 @@ def test_answers_depend_on_neither_units_nor_the_order_of_sides(xi: float, held:
         ask, scene=with_bodies_reversed(ask.scene), observables=(Displacement(0),)
     )
     assert np.abs(slid(turned) - path).max() <= 1e-12 * fall
+
+
+@pytest.mark.parametrize(
+    ("xi", "balanced", "solved"), [(1e-3, True, True), (1e-5, False, True), (1e-6, False, False)]
+)
+def test_in_oblique_grooves_balances_fail_but_wedges_stay(
+    xi: float, balanced: bool, solved: bool
+) -> None:
+    """Rounding of normals decides in which of eight frames."""
+    ask, chance = wedge(xi, 30.0, 1.1, Knobs(1e-3, 1e9)), np.random.default_rng(1)
+    closed, kept = [], []
+    for _ in range(8):
+        frame, _ = np.linalg.qr(chance.normal(size=(3, 3)))
+        oblique = rotated(ask.scene, frame * np.linalg.det(frame))
+        done = run(dataclasses.replace(ask, scene=oblique), BORNE)
+        assert np.abs(moved(done)).max() <= 1e-9  # m
+        assert done.ledger is not None
+        assert done.ledger.bound is not None
+        assert done.model is not None
+        closed.append(done.ledger.unaccounted <= done.ledger.bound)
+        kept.append(" 0 parts of steps kept unconverged" not in done.model.note)
+    assert all(closed) is balanced
+    assert any(kept) is not solved
 
 
 def test_sides_that_multipliers_would_take_for_parallel_are_refused() -> None:
