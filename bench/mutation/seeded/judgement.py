@@ -80,5 +80,5 @@ BUGS = (
     Bug('a test of pytest fails by what is reported only', 'vv/cli/job_tests.py', 'if finding.red]', 'if finding.bit]', tests='tests/cli/decisions/test_checks.py'),
     Bug('a test of pytest is judged by findings at other settings', 'vv/cli/job_tests.py', 'finding.label, finding.rung) == own', 'finding.label, own[3]) == own', tests='tests/cli/decisions/test_checks.py'),
     Bug('the general class of a method counts before its own', 'vv/case/judges.py', 'for one in (method, method.general):', 'for one in (method.general, method):', tests='tests/case/test_truths.py'),
-    Bug('a parameter that is not finite is taken', 'vv/case/parameter.py', '"" if math.isfinite(value) else "must be finite"', '""', tests='tests/case/test_truths.py'),
+    Bug('a parameter that is not finite is taken', 'vv/case/parameter.py', '"" if math.isfinite(value) else "must be finite"', '""', tests='tests/case/test_parameter.py'),
 )  # fmt: skip
