@@ -130,6 +130,17 @@ def test_a_record_of_what_is_not_described_is_no_part_of_a_whole_manifest(
         store.manifests.read("01")
 
 
+def test_a_record_names_no_file_outside_the_store() -> None:
+    data = codec.to_data(jobs("a")[0])
+    for key in ("../../x/victim", "/tmp/victim", "..", "a/b", "a.b", "a\\b", "a\n"):
+        with pytest.raises(
+            ValueError, match=r"Record\.key = .*; it must consist of letters, digits"
+        ):
+            codec.read(Record, {**data, "key": key}, "record")
+    for key in ("", "0af3", "fall-up"):
+        assert codec.read(Record, {**data, "key": key}, "record").key == key
+
+
 HOSTILE: tuple[object, ...] = (
     None, "", 10**400, 1e300, -1, ["x"], {"x": 1}, "<script>alert(1)</script>", "\x1b[31m\x00",
     "no-such-word", json.loads("[" * 200 + "]" * 200),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -10,6 +11,8 @@ from vv.ask import Knobs, Ledger, Method, Status
 from vv.records.fields import optional
 from vv.records.outcomes import CostKind, StudyKind
 from vv.records.quantity import MeasuredQuantity
+
+WORD = re.compile("[A-Za-z0-9-]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +76,7 @@ class RunSummary:
 class Record:
     """A job and its result. modified: parameters were changed; key: of its series in the store.
 
-    largest_step: see RunSummary.
+    Raises ValueError for a key that could name a file elsewhere. largest_step: see RunSummary.
     known_breaches: the laws that its ledger breaks, but is known to break. changed: the names of
     the changed parameters; empty in older records, of which only `modified` tells.
     """
@@ -99,6 +102,10 @@ class Record:
     largest_step: float | None = optional(None)
     known_breaches: tuple[str, ...] = optional(())
     changed: tuple[str, ...] = optional(())
+
+    def __post_init__(self) -> None:
+        if not WORD.fullmatch(self.key):
+            raise ValueError(f"Record.key = {self.key!r}; it must consist of letters, digits and -")
 
     @property
     def label(self) -> str:
