@@ -1,4 +1,4 @@
-"""Bounds that may exceed the largest tolerance: they are cut there, or runs are only shown."""
+"""Bounds that may exceed the largest tolerance: they are cut there, or hold as they are."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 from vv.ask import Knobs, Method
 from vv.case.judges import LARGEST_TOLERANCE, Exact, Judge, Shown, Tolerance
 
-ROUNDED = 1e-9  # relative error of a bound
+NOTHING = 1.0  # relative error of an answer of zero, which a bound as large as that would accept
 TINY = 1e-100  # a step [s] or a compliance [m/N] that is still positive
 
 
@@ -33,13 +33,13 @@ def _too_wide(bound: float, reason: str) -> str:
 
 
 def shown_if_wide(judge: Judge, method: Method, knobs: Knobs) -> Judge:
-    """The judge, or Shown where its bound at a setting exceeds LARGEST_TOLERANCE.
+    """The judge, or Shown where its uncut bound at a setting accepts an answer of zero.
 
-    At the case's own parameters such a bound is cut, since no error may be larger there; at others
-    a code that is right may have the error that the bound allows.
+    At the case's own parameters a bound is cut at LARGEST_TOLERANCE, since no error may be larger
+    there; at others a code that is right may have the error that the uncut bound allows.
     """
     if isinstance(judge, Exact):
         tolerance = judge.tolerance(method)
-        if (bound := tolerance.uncut(knobs)) > LARGEST_TOLERANCE * (1.0 + ROUNDED):
+        if (bound := tolerance.uncut(knobs)) >= NOTHING:
             return Shown(_too_wide(bound, tolerance.reason))
     return judge

@@ -71,7 +71,7 @@ def measured(
         judge = shown_if_wide(judge_at_other_parameters(judge), method, knobs)
     if isinstance(quantity, Scalar) and not quantity.is_reported(run):
         judge = NOT_REPORTED
-    norm, tolerance, why = _bound(judge, method, knobs)
+    norm, tolerance, why = _bound(judge, method, knobs, modified)
     found = _figures(run, quantity, judge, method)
     made = MeasuredQuantity(
         name=quantity.name,
@@ -95,12 +95,14 @@ def measured(
     return dataclasses.replace(made, verdict=_verdict(quantity, judge, made)), found.arrays
 
 
-def _bound(judge: Judge, method: Method, knobs: Knobs) -> tuple[Norm | None, float | None, str]:
-    """How the quantity is judged: norm, bound and the reason for it."""
+def _bound(
+    judge: Judge, method: Method, knobs: Knobs, uncut: bool
+) -> tuple[Norm | None, float | None, str]:
+    """How the quantity is judged: norm, bound, which may be uncut, and the reason for it."""
     if not isinstance(judge, Exact):
         return None, judge.bound if isinstance(judge, Invariant) else None, judge.reason
     tolerance = judge.tolerance(method)
-    return judge.norm, tolerance.at(knobs), tolerance.reason
+    return judge.norm, tolerance.uncut(knobs) if uncut else tolerance.at(knobs), tolerance.reason
 
 
 def _measurement(judge: Judge) -> MeasurementFacts | None:
