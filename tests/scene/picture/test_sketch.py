@@ -111,6 +111,15 @@ def test_a_sketch_is_the_same_wherever_the_scene_lies() -> None:
     assert sketch(shifted(here, 1e3 * (X + Y - Z))) == sketch(here)
 
 
+@pytest.mark.parametrize("size", [1e-320, 1e-300, 1e-200, 1e200, 1e300])
+def test_a_gravity_whose_square_no_float_holds_points_where_any_other_does(size: float) -> None:
+    pulled = [
+        sketch(Scene((spheres(2),), Contact(1e3), gravity=size * np.array([0.0, -1.0, -1.0])))
+        for size in (1.0, size)
+    ]
+    assert pulled[0] == pulled[1]
+
+
 def test_no_arrow_has_a_negative_zero() -> None:
     for way in (X, -X, Z, -Z):
         assert "-0.0" not in str(sketch(Scene((spheres(1),), Contact(1e3), gravity=way)).arrows)

@@ -183,7 +183,7 @@ class _Shown:
             yield from (self._arrow(None, along, what) for along, _, _ in motion.sines())
 
     def _arrow(self, place: Vector | None, along: Vector, what: str) -> Arrow:
-        seen = self._direction(self.plane @ along / np.linalg.norm(along))
+        seen = self._direction(self.plane @ view.unit(along))
         return Arrow((0.0, 0.0) if place is None else self.spot(place), seen, what)
 
     def _direction(self, along: Vector) -> Spot:

@@ -71,14 +71,20 @@ def _sight(scene: Scene, shown: Vector) -> Vector:
 def _up(scene: Scene, sight: Vector) -> Vector:
     """The upward direction (3,): against gravity, away from an oblique wall, or the last axis."""
     if scene.gravity.any():
-        up = -scene.gravity
+        up = -unit(scene.gravity)
     else:
         oblique = (w.normal for w in scene.walls if np.abs(w.normal).max() < 1 - 1e-9)
         up = next((n for n in oblique if abs(n @ sight) < 0.5), np.eye(3)[2])
     up = up - (up @ sight) * sight
-    if np.linalg.norm(up) < 1e-6 * np.linalg.norm(scene.gravity) or not up.any():
+    if np.linalg.norm(up) < 1e-6:
         up = np.eye(3)[1] - sight[1] * sight
-    return np.asarray(up / np.linalg.norm(up))
+    return unit(up)
+
+
+def unit(vector: Vector) -> Vector:
+    """The direction (3,) of a vector that is not zero, even if its square is."""
+    scaled = vector / np.abs(vector).max()
+    return np.asarray(scaled / np.linalg.norm(scaled))
 
 
 def _directions(scene: Scene) -> Vector:
@@ -95,7 +101,7 @@ def _directions(scene: Scene) -> Vector:
     ]
     moves = [scene.wave, *(wall.motion for wall in scene.walls)]
     found += [along for motion in moves if motion for along, _, _ in motion.sines()]
-    units = [v / np.linalg.norm(v) for v in found if np.linalg.norm(v) > 0]
+    units = [unit(v) for v in found if v.any()]
     places = _places(scene)
     spread = places - places.mean(axis=0)
     size = float(np.abs(spread).max(initial=0.0)) or 1.0
