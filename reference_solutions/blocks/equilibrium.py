@@ -15,6 +15,7 @@ import numpy as np
 
 BASE = -1  # the number of what carries the stones, at height 0
 TOUCHES = 1e-9  # of a stone's width: stones that are closer touch
+BALANCED, UNBALANCED = 0, 2  # of the program: an optimum is found, or no forces are feasible
 
 
 class Stone(NamedTuple):
@@ -64,7 +65,8 @@ def stands(stones: Sequence[Stone], mu: float, thrust: float, upright: bool = Tr
     """Whether compressive forces within Coulomb's cone balance all stones.
 
     thrust: the sum of the horizontal forces of the joints of a stone over its weight, to the right;
-    upright: joints between stones side by side may bear forces too.
+    upright: joints between stones side by side may bear forces too. Raises RuntimeError if the
+    program ends without an answer.
     """
     from scipy.optimize import linprog
     from scipy.sparse import csr_array
@@ -82,7 +84,10 @@ def stands(stones: Sequence[Stone], mu: float, thrust: float, upright: bool = Tr
     weights = np.array([(one.right - one.left) * (one.high - one.low) for one in stones])
     loads = np.outer(weights / weights.mean(), [thrust, 1.0, 0.0]).ravel()
     balance = csr_array((values, (rows, columns)), shape=(len(loads), cones))
-    return bool(linprog(np.zeros(cones), A_eq=balance, b_eq=loads).success)
+    answer = linprog(np.zeros(cones), A_eq=balance, b_eq=loads)
+    if answer.status not in (BALANCED, UNBALANCED):
+        raise RuntimeError(f"whether the stones stand is not known: {answer.message}")
+    return bool(answer.status == BALANCED)
 
 
 def _moment(end: Contact, stone: Stone, force: tuple[float, float]) -> float:

@@ -112,9 +112,9 @@ CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY)
 # decides only where runs are shown and not judged.
 SURE = 1.1
 MAY_PART = (
-    "forces balance the stones, but not if the thrust is a tenth larger or if upright joints bear "
-    "nothing: with friction more than one motion may then obey all laws, and stones that may stay "
-    "may also move"
+    "forces balance the stones, but not if thrust and friction are a tenth larger and upright "
+    "joints bear nothing: with friction more than one motion may then obey all laws, and stones "
+    "that may stay may also move"
 )
 FOOT, STONE = 1 / 16, 3 / 4  # how far off the middle, of the wall's width and of a stone's length
 SLIPS = "with lagging friction, courses slip on one another by a quarter of the displacement"

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
+import scipy.optimize
 
 from reference_solutions.blocks import facade
 from reference_solutions.blocks.equilibrium import Stone, contacts, stands
@@ -66,3 +69,12 @@ def test_walls_end_to_slide_as_one_block_where_a_second_route_says(
         assert stands(stones, mu, mu) is held
         assert (check.bed_load(polygons, bed, mu, mu) is not None) is held
     assert stands(stones, ends, min(ends, 0.2))
+
+
+def test_a_program_that_ends_without_an_answer_is_not_taken_for_stones_that_fall(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ended = SimpleNamespace(status=4, success=False, message="numerical difficulties")
+    monkeypatch.setattr(scipy.optimize, "linprog", lambda *_, **__: ended)
+    with pytest.raises(RuntimeError, match="is not known: numerical difficulties"):
+        stands(tower(1, 0.3, 0.2), 0.5, 0.1)
