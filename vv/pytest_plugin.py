@@ -34,7 +34,9 @@ def pytest_ignore_collect(config: pytest.Config) -> bool | None:
 
 
 def pytest_collection_modifyitems(session: pytest.Session, items: list[pytest.Item]) -> None:
-    """Add a test for each job that the options select."""
+    """Add a test for each job that the options select; raises pytest.UsageError for bad ones."""
+    if session.config.getoption("--vv-only") and not session.config.getoption("--vv"):
+        raise pytest.UsageError("--vv-only: name the cases to run with --vv CASE")
     if session.config.getoption("--vv"):
         from vv.cli import job_tests
 

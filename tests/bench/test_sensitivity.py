@@ -30,6 +30,20 @@ def test_one_percent_off_is_seen(case: Case) -> None:
     assert {name: left for name, left in found.items() if left} == {}
 
 
+@pytest.mark.parametrize(
+    ("variant", "code"),
+    [("1d", "dem"), ("1d-mu-1", "dem"), ("2d", "dem"), ("3d", "dem"), ("3d-turning", "dda")],
+)
+def test_springs_see_friction_one_percent_off_on_a_shaken_base(variant: str, code: str) -> None:
+    """So does any code on springs that has no baseline, such as one of a stranger."""
+    case, adapter = PROJECT.load_case("responding-block"), PROJECT.load_adapter(code)
+    right, scheme = case.declare(variant, case.defaults(variant)), adapter.schemes[0]
+    for wrong in sensitivity.off(case, variant, "mu"):
+        found = sensitivity.shows(right, [wrong], adapter, scheme, Level.QUICK)
+        assert found is not None
+        assert found[0] > 1
+
+
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_what_is_said_to_be_unseen_has_a_reason_and_is_neither_inert_nor_unknown(
     case: Case,

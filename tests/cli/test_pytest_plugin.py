@@ -69,6 +69,9 @@ def test_the_tests_of_the_project_are_left_out_if_asked(tiny: Tiny) -> None:
     done = run(tiny, "--vv-only", "--vv", "fall:up", "--vv-code", "fake/good")
     assert done.returncode == 0, done.stdout
     assert "1 passed" in done.stdout
+    done = run(tiny, "--vv-only")
+    assert done.returncode == 4
+    assert "--vv-only: name the cases to run with --vv CASE" in done.stdout + done.stderr
 
 
 def test_what_names_no_case_is_a_mistake_in_the_call(tiny: Tiny) -> None:
