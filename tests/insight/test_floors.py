@@ -108,6 +108,12 @@ def test_a_stiffer_row_of_two_steps_that_gains_forbids_a_floor() -> None:
     assert one([*rows, (2.5e-5, 1e10, 1e-2, 1.0)]).floor is None
 
 
+def test_the_row_that_is_stiffer_by_one_forbids_a_floor_too() -> None:
+    for coarse, forbidden in ((1.2e-2, False), (2e-2, True)):
+        rows = penalty(1e-2, 1e-2, 1e-2, coarse, 1e-2)
+        assert (one([*rows, (2.5e-5, 1e9, 1e-2, 1.0)]).floor is None) is forbidden
+
+
 def test_the_floor_of_dt_at_a_stiffness_is_the_model_s_and_told_from_the_step_s() -> None:
     """Errors 1e-3 + h^2: the limit is 1e-3 off, and h^2 is what the finest step adds."""
     rows: list[Row] = [(h, 1e8, 1e-3 + h * h, 1.0) for h in (4e-3, 2e-3, 1e-3)]

@@ -69,6 +69,7 @@ BUGS = (
     Bug("an answer's error without that of its softness", "vv/insight/agreement.py", "sum(abs(value - one.values[i]) for one in coarse if i < len(one.values))", "max((abs(value - one.values[i]) for one in coarse if i < len(one.values)), default=0.0)", tests="tests/insight/test_agreement.py"),
     Bug("of two groups the less sure agrees", "vv/insight/agreement.py", "-sum(answer.error for", "sum(answer.error for", tests="tests/insight/test_agreement.py"),
     Bug("changes with the smallest first", COMPARE, "-change.size, change.where", "change.size, change.where", tests="tests/insight/test_compare.py"),
+    Bug("a floor though the stiffness above gains", EFFORT, "rows[at + 1 :]", "rows[at + 2 :]", tests=INSIGHT),
     Bug("a floor of the largest errors", EFFORT, "least = [min(row.errors)", "least = [max(row.errors)", tests="tests/insight/test_floors.py"),
     Bug("a floor that was paid for at the softest", EFFORT, 'Floor(min(least), f"{spent', 'Floor(least[0], f"{spent', tests="tests/insight/test_floors.py"),
     Bug("past figures of all variants under one place", "vv/insight/past_runs.py", "(record.variant, rung(record), name)", "(rung(record), name)", tests="tests/insight/test_past_runs.py"),
