@@ -24,7 +24,7 @@ LOOKS = marks(["a/a", "b/b"])
 def made(*rows: tuple[float, float], value: float | None = None, **changes: Any) -> Group:
     """The group of records of settings (dt, error)."""
     records = [
-        record("a/a", "T1", dt, key=f"{dt}", quantities=[
+        record("a/a", "T1", dt, key=f"{dt}".encode().hex(), quantities=[
             entry("pass" if error < 1e-3 else "fail", {"max": error}, value=value,
                   reference=value and value + 1)
         ], **changes)

@@ -22,7 +22,9 @@ LOOKS = marks(["a/a", "b/b", "c/c"])
 def ran(label: str, dt: float, kn: float | None = None, error: float = 1e-4, **said: Any) -> Record:
     known = [entry(said.pop("verdict", "pass"), {"max": error}, note=said.pop("note", ""))]
     rung = {"dt": dt, "kn": kn}
-    return record(label, "T1", dt, quantities=known, rung=rung, key=f"{label}{dt}{kn}", **said)
+    return record(
+        label, "T1", dt, quantities=known, rung=rung, key=f"{label}{dt}{kn}".encode().hex(), **said
+    )
 
 
 def table(*pile: Record) -> Group:
