@@ -86,13 +86,15 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )
     whole = (motion.distance(judge),) if len(axes) > 1 else ()
     timed = (RUNGS[0], STIFFER) if variant in ("1d", "2d", "3d") else ()
-    rungs = _resolved_levels(levels(STIFFER, STIFFEST), p)
+    stiffest = TURNING if variant == FREE else STIFFEST
+    rungs = _resolved_levels(levels(STIFFER, stiffest), stiffest, p)
     return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), rungs, timed), (*parts, *whole))
 
 
 CHANCE = 0.2  # of the displacement: what may depend on how steps fit into the period
 STIFFER, STIFFEST = Knobs(2.5e-4, 1e9), Knobs(2e-5, 1e11)
-RESOLVED = (Knobs(1e-4, 1e9), Knobs(5e-5, 1e9), STIFFEST)  # where one step at most is left
+TURNING = Knobs(5e-5, 1e11)  # where the block may turn, each step takes forty times as long in dda
+RESOLVED = (Knobs(1e-4, 1e9), Knobs(5e-5, 1e9))  # where one step at most is left
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
 THIN = knob_grid((5e-4, 2e-4), (1e7, 7.5e8))  # its corners, stable in explicit codes too
@@ -109,7 +111,7 @@ EXPLORED = Shown(
 
 
 def _resolved_levels(
-    levels: Mapping[Level, tuple[Knobs, ...]], p: Parameters
+    levels: Mapping[Level, tuple[Knobs, ...]], stiffest: Knobs, p: Parameters
 ) -> dict[Level, tuple[Knobs, ...]]:
     """The levels without steps so long that the answer depends on where reversals of slip fall.
 
@@ -119,11 +121,13 @@ def _resolved_levels(
     lost = _responding_bounds.reversal_error(p) if directions(p) == 1 else 0.0
     fine = {
         level: tuple(
-            rung for rung in dict.fromkeys((*rungs, STIFFEST)) if lost * (rung.dt or 0.0) <= CHANCE
+            rung for rung in dict.fromkeys((*rungs, stiffest)) if lost * (rung.dt or 0.0) <= CHANCE
         )
         for level, rungs in levels.items()
     }
-    return {level: rungs if len(rungs) > 1 else RESOLVED for level, rungs in fine.items()}
+    return {
+        level: rungs if len(rungs) > 1 else (*RESOLVED, stiffest) for level, rungs in fine.items()
+    }
 
 
 ONE = (
