@@ -63,15 +63,8 @@ def verify(
 
 def _command(selection: Sequence[str], codes: str, chosen: Options) -> list[str]:
     """The command that runs the same, by which `vv runs` and reports name the run."""
-    words = [
-        "vv",
-        "run",
-        *(selection or ("--all",)),
-        "--codes",
-        codes,
-        "--level",
-        chosen.level.value,
-    ]
+    words = ["vv", "run", *(selection or ("--all",))]
+    words += ["--codes", codes, "--level", chosen.level.value]
     words += [word for text in chosen.settings for word in ("--set", text)]
     return words + [word for knobs in chosen.rungs for word in ("--rung", in_words(knobs))]
 

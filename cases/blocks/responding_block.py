@@ -93,7 +93,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 CHANCE = 0.2  # of the displacement: what may depend on how steps fit into the period
 STIFFER, STIFFEST = Knobs(2.5e-4, 1e9), Knobs(2e-5, 1e11)
-TURNING = Knobs(5e-5, 1e11)  # where the block may turn, each step takes forty times as long in dda
+TURNING = Knobs(5e-5, 1e11)  # where the block may turn, as that costs much more in each step
 RESOLVED = (Knobs(1e-4, 1e9), Knobs(5e-5, 1e9))  # where one step at most is left
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
