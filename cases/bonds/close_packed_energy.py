@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import BRITTLE, slower
-from cases.bonds._specimens import block_of, specimen, viscosity
+from cases.bonds.parts._quartzite import BRITTLE, slower
+from cases.bonds.parts._specimens import block_of, specimen, viscosity
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_strength import first_opening

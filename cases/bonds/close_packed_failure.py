@@ -9,8 +9,6 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import BRITTLE
-from cases.bonds._specimens import block_of, on_tops, specimen
 from cases.bonds.parts._failure_bounds import (
     after_openings,
     bounds,
@@ -18,6 +16,8 @@ from cases.bonds.parts._failure_bounds import (
     history_bounds,
     slope_bounds,
 )
+from cases.bonds.parts._quartzite import BRITTLE
+from cases.bonds.parts._specimens import block_of, on_tops, specimen
 from reference_solutions.bonds import lattice_failure, lattice_material, lattice_strength
 from reference_solutions.bonds.close_packed_lattice import Lattice
 from reference_solutions.bonds.lattice_material import Element

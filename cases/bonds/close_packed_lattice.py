@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import ELASTIC, slower
+from cases.bonds.parts._quartzite import ELASTIC, slower
 from reference_solutions.bonds import (
     close_packed_lattice,
     lattice_directions,

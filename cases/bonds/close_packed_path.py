@@ -8,8 +8,6 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import ELASTIC, slower
-from cases.bonds._specimens import block_of
 from cases.bonds.close_packed_lattice import (
     LEAST_NU,
     held,
@@ -18,6 +16,8 @@ from cases.bonds.close_packed_lattice import (
     scale_of,
     seen_of,
 )
+from cases.bonds.parts._quartzite import ELASTIC, slower
+from cases.bonds.parts._specimens import block_of
 from reference_solutions.bonds import close_packed_lattice, lattice_path
 from reference_solutions.bonds.close_packed_lattice import Lattice
 from vv.ask import History, Knobs, Method

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import BRITTLE, KN, M
-from cases.bonds._specimens import block_of, on_springs, on_tops, specimen, yielding
+from cases.bonds.parts._quartzite import BRITTLE, KN, M
+from cases.bonds.parts._specimens import block_of, on_springs, on_tops, specimen, yielding
 from cases.bonds.tetrahedral_strength import at_zero_rate, judged_balance
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static

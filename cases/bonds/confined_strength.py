@@ -8,8 +8,8 @@ import math
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import BRITTLE
-from cases.bonds._unit import CORNERS, EDGES
+from cases.bonds.parts._quartzite import BRITTLE
+from cases.bonds.parts._unit import CORNERS, EDGES
 from cases.bonds.tetrahedral_strength import BEYOND, EVERY, RATES, at_zero_rate, slid
 from reference_solutions.bonds import confined_unit, lattice_material
 from reference_solutions.bonds.confined_unit import Failure

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import ELASTIC
-from cases.bonds._unit import CORNERS, SEEN, as_it_is, seen_at, unit
+from cases.bonds.parts._quartzite import ELASTIC
+from cases.bonds.parts._unit import CORNERS, SEEN, as_it_is, seen_at, unit
 from reference_solutions.bonds import lattice_material, tetrahedral_unit
 from vv.ask import History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (

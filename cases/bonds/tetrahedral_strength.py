@@ -11,8 +11,8 @@ import numpy as np
 
 from cases._energy_balance import balance
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import BRITTLE, KN, D, M
-from cases.bonds._unit import CORNERS, EDGES
+from cases.bonds.parts._quartzite import BRITTLE, KN, D, M
+from cases.bonds.parts._unit import CORNERS, EDGES
 from reference_solutions.bonds import lattice_material, sliding_unit, tetrahedral_unit
 from reference_solutions.bonds.lattice_material import Element
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run

@@ -9,10 +9,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds import _detour
-from cases.bonds._quartzite import ELASTIC, slower
-from cases.bonds._thrown import breathing, levels, turned
-from cases.bonds._unit import (
+from cases.bonds.parts import _detour
+from cases.bonds.parts._quartzite import ELASTIC, slower
+from cases.bonds.parts._thrown import breathing, levels, turned
+from cases.bonds.parts._unit import (
     BASE,
     CORNERS,
     EDGES,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from math import exp, log, sqrt
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite_lattice import (
+from cases.bonds.parts._quartzite_lattice import (
     BLOCK,
     ELEMENT,
     FS0,

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._unit import CORNERS, EDGES
+from cases.bonds.parts._unit import CORNERS, EDGES
 from cases.bonds.tetrahedral_unit import CASE as UNIT
 from reference_solutions.bonds import bonded_modes, close_packed_lattice
 from reference_solutions.contact import stability

@@ -92,7 +92,7 @@ def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_record_gate_and
 
 
 def test_a_mutant_of_what_statements_of_papers_use_is_put_to_tests_of_the_papers_too() -> None:
-    for file in ("cases/papers/_liu_2017.py", "cases/bonds/_quartzite_lattice.py"):
+    for file in ("cases/papers/_liu_2017.py", "cases/bonds/parts/_quartzite_lattice.py"):
         assert case_mutants.tests_of(file)[:2] == case_mutants.PAPERS
 
 
@@ -152,7 +152,7 @@ def test_what_a_gate_calls_red_is_read_from_its_junit_file() -> None:
 
 
 def test_what_cases_share_is_asked_of_those_that_name_it_first() -> None:
-    shared = case_mutants.cases_of("cases/bonds/_unit.py")
+    shared = case_mutants.cases_of("cases/bonds/parts/_unit.py")
     assert {*shared[: case_mutants.ASKED]} >= {"tetrahedral-path", "tetrahedral-unit"}
     assert shared.index("close-packed-energy") >= case_mutants.ASKED
     assert case_mutants.cases_of("cases/bonds/tetrahedral_unit.py")[0] == "tetrahedral-unit"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cases.bonds._quartzite import BRITTLE
+from cases.bonds.parts._quartzite import BRITTLE
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice
 from vv.ask import Method

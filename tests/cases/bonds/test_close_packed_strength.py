@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from cases.bonds._specimens import block_of, on_springs, on_tops, specimen, yielding
 from cases.bonds.close_packed_strength import CASE
+from cases.bonds.parts._specimens import block_of, on_springs, on_tops, specimen, yielding
 from vv.ask import Ask, History, Knobs, Reaction
 from vv.case import Scalar
 from vv.engines import dem

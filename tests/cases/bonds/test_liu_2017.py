@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cases.bonds._quartzite_lattice import BLOCK, at_faces
+from cases.bonds.parts._quartzite_lattice import BLOCK, at_faces
 
 
 def test_elements_at_faces_are_all_that_lack_a_neighbour_within() -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cases.bonds._unit import CORNERS, EDGES, OUT, ROUND
+from cases.bonds.parts._unit import CORNERS, EDGES, OUT, ROUND
 from vv.plan.project import find
 from vv.scene import Vector
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from cases.bonds import _detour, tetrahedral_unit
+from cases.bonds import tetrahedral_unit
+from cases.bonds.parts import _detour
 from vv.ask import Method
 from vv.case import Level, Scalar, evaluated
 from vv.engines import dem

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from cases.bonds._unit import CORNERS, EDGES, OUT, as_it_is, beside, moved_ends, quantity_of
+from cases.bonds.parts._unit import CORNERS, EDGES, OUT, as_it_is, beside, moved_ends, quantity_of
 from vv.scene import Vector
 
 D = 0.25

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cases.bonds._unit import CORNERS, EDGES
+from cases.bonds.parts._unit import CORNERS, EDGES
 from reference_solutions.bonds import bonded_modes as modes
 from reference_solutions.bonds.close_packed_lattice import lattice
 from reference_solutions.checks.bonds import bonded_modes as pulled

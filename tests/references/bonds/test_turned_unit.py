@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cases.bonds._unit import CORNERS, EDGES, ROUND
+from cases.bonds.parts._unit import CORNERS, EDGES, ROUND
 from reference_solutions.bonds import turned_unit
 
 M, KN, KS, D = 1.87e-6, 4.68e7, 8.07e6, 1e-3

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cases.bonds._unit import BASE, CORNERS, EDGES
+from cases.bonds.parts._unit import BASE, CORNERS, EDGES
 from cases.bonds.tetrahedral_unit import CASE
 from reference_solutions.bonds.turning_unit import time_to_rest
 from vv.ask import Ask, Knobs

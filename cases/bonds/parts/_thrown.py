@@ -6,7 +6,7 @@ import functools
 
 import numpy as np
 
-from cases.bonds._unit import CORNERS, EDGES, OUT, ROUND, SEEN, unit
+from cases.bonds.parts._unit import CORNERS, EDGES, OUT, ROUND, SEEN, unit
 from reference_solutions.bonds import turned_unit
 from vv.ask import History, Knobs, Method
 from vv.case import (
