@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -30,11 +29,11 @@ class LineFlow:
 
     def warm(self) -> None:
         """Load or compile the kernel."""
-        self._kernel  # noqa: B018 - a cached property
+        self._run  # noqa: B018 - a cached property
 
     def follow(self) -> int | Outcome:
         """Run the kernel, which is what is timed; raises as `Flow.follow`."""
-        count = self._kernel(*self._arguments)
+        count = self._run()
         return count if count > 0 else self._general.follow()
 
     def path(self, outcome: int | Outcome) -> Path:
@@ -49,12 +48,11 @@ class LineFlow:
         return self._general.path(self._general.follow())
 
     @functools.cached_property
-    def _arguments(self) -> tuple[Any, ...]:
-        return self.pieces, *self.line, self.duration, MOST_EVENTS
-
-    @functools.cached_property
-    def _kernel(self) -> Callable[..., int]:
-        return entry(follow_one, self._arguments)
+    def _run(self) -> Callable[[], int]:
+        """The machine code of the kernel with its arguments."""
+        given = np.array([*self.line, self.duration, MOST_EVENTS], float)
+        arguments = self.pieces, given
+        return functools.partial(entry(follow_one, arguments), *arguments)
 
     @functools.cached_property
     def _general(self) -> SystemFlow:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from vv.engines.exact.roots import EPS
 from vv.engines.kernels.compiled import lent
 
 MOST_ITERATIONS = 60  # each of which at least halves the error
 SHORT = 0.5  # largest 2nt for the series, which loses no digits where the closed form would
 TERMS = 14  # of the series: SHORT^14/16! is 3e-18
+OVER = 1.0 / np.array([float(math.factorial(k + 2)) for k in range(TERMS)])
 
 
 @lent
@@ -22,19 +25,32 @@ def forced_motion(v: float, a: float, n: float, t: float) -> tuple[float, float]
     if z > SHORT:
         second = (t - part) / (2 * n)
     else:
-        second, term = 0.0, 0.5 * t * t
-        for k in range(TERMS):
-            second += term
-            term *= -z / (k + 3)
+        second = 0.0
+        for k in range(TERMS - 1, -1, -1):
+            second = OVER[k] - z * second
+        second *= t * t
     return v * part + a * second, v - 2 * n * part * v + a * part
 
 
 @lent
-def stop_time(v: float, a: float, n: float) -> float:
-    """The time [s] at which x'' + 2n x' = a stops from a velocity v >= 0, or infinity."""
+def glide_to_stop(v: float, a: float, n: float) -> tuple[float, float]:
+    """The time [s] at which x'' + 2n x' = a stops from v >= 0, and the way [m], or infinity.
+
+    With z = 2nt the way is -a (e^z - 1 - z)/4n^2, where e^z is 1 - 2nv/a.
+    """
     if not a < 0.0:
-        return math.inf
-    return math.log1p(2 * n * v / -a) / (2 * n) if n > 0.0 else v / -a
+        return math.inf, math.inf
+    if n == 0.0:
+        return v / -a, 0.5 * v * v / -a
+    grown = 2 * n * v / -a
+    z = math.log1p(grown)
+    t = z / (2 * n)
+    if z > SHORT:
+        return t, -a * (grown - z) / (4 * n * n)
+    second = 0.0
+    for k in range(TERMS - 1, -1, -1):
+        second = OVER[k] + z * second
+    return t, -a * t * t * second
 
 
 @lent
@@ -48,7 +64,8 @@ def fall_time(x: float, v: float, a: float, n: float, band: float, end: float) -
     if a >= 0.0:
         if v >= 0.0:
             return math.inf
-        if x + forced_motion(v, a, n, stop_time(-v, -a, n) if a > 0.0 else end)[0] >= -band:
+        way = glide_to_stop(-v, -a, n)[1] if a > 0.0 else -forced_motion(v, a, n, end)[0]
+        if x - way >= -band:
             return math.inf
     if n == 0.0:
         root = math.sqrt(max(v * v - 2 * a * x, 0.0))

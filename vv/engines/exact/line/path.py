@@ -80,7 +80,7 @@ def _series(
 
 
 def oscillations(y: Vector, v: Vector, line: Line, t: Vector) -> tuple[Vector, Vector]:
-    """The same as `oscillation`, for arrays."""
+    """Displacements [m] and velocities [m/s] of an oscillation, as `oscillation`, for arrays."""
     w = np.sqrt(line.k**2 - line.n**2)
     b, fade = (v + line.n * y) / w, np.exp(-line.n * t)
     sine, cosine = np.sin(w * t), np.cos(w * t)
