@@ -11,6 +11,7 @@ function raises ValueError for parameters outside their ranges.
 """
 
 from math import asin, pi, sin, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -48,17 +49,47 @@ def motion(t: ArrayLike, thrown: ArrayLike, masses: ArrayLike, K: float) -> tupl
 
     thrown: initial velocities (N,) [m/s] at zero displacement; masses: (N,) [kg], which may differ.
     """
-    times, v = require_times(t), np.asarray(thrown, float)
-    m = np.asarray(masses, float)
+    times, modes = require_times(t), _modes(thrown, masses, K)
+    turned = np.outer(times, modes.w)
+    moved, moving = np.sin(turned) * modes.parts / modes.w, np.cos(turned) * modes.parts
+    return np.asarray(moved @ modes.back), np.asarray(moving @ modes.back)
+
+
+def leapfrog(
+    t: ArrayLike, thrown: ArrayLike, masses: ArrayLike, K: float, dt: float
+) -> tuple[Array, Array]:
+    """What `motion` is in a leapfrog of step dt [s] that begins with the velocity at t = 0.
+
+    Its velocity is the mean of those before and after a whole step. A mode v cos(w t) becomes
+    v cos(W t) and its displacement v dt/sin(W dt) sin(W t), with sin(W dt/2) = w dt/2: so the
+    velocities of a wave that stays a sum of modes have other phases alone. Raises ValueError where
+    a mode has w dt >= 2, since the leapfrog then diverges.
+    """
+    times, modes = require_times(t), _modes(thrown, masses, K)
+    require_positive("s", dt=dt)
+    halves = modes.w * dt / 2.0
+    if not halves.max() < 1.0:
+        raise ValueError(f"dt = {dt} s; a leapfrog diverges from {2.0 / modes.w.max()} s on")
+    phase = 2.0 * np.arcsin(halves)  # per step
+    turned = np.outer(times / dt, phase)
+    moved = np.sin(turned) * modes.parts * dt / np.sin(phase)
+    return np.asarray(moved @ modes.back), np.asarray(np.cos(turned) * modes.parts @ modes.back)
+
+
+class _Modes(NamedTuple):
+    """Frequencies [1/s], the velocity that each mode begins with, and the shapes (N, N) in rows."""
+
+    w: Array
+    parts: Array
+    back: Array
+
+
+def _modes(thrown: ArrayLike, masses: ArrayLike, K: float) -> _Modes:
+    v, m = np.asarray(thrown, float), np.asarray(masses, float)
     if m.shape != v.shape or not (m > 0.0).all():
         raise ValueError(f"masses has shape {m.shape}; one positive mass for each velocity")
     squares, shapes = np.linalg.eigh(_stiffness(len(m), K) / np.sqrt(np.outer(m, m)))
-    w = np.sqrt(squares)
-    parts, back = shapes.T @ (np.sqrt(m) * v), shapes.T / np.sqrt(m)
-    turned = np.outer(times, w)
-    return np.asarray((np.sin(turned) * parts / w) @ back), np.asarray(
-        (np.cos(turned) * parts) @ back
-    )
+    return _Modes(np.sqrt(squares), shapes.T @ (np.sqrt(m) * v), shapes.T / np.sqrt(m))
 
 
 def _stiffness(N: int, K: float) -> Array:
