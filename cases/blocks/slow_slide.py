@@ -32,6 +32,7 @@ BLOCK = Displacement(1)
 HALF = np.array([0.5, 0.5, 0.1])  # m; a plate hardly tips as friction pulls at its base
 FEW, MANY = 3.4, 102.0  # steps to the stop at the coarsest setting
 ROUNDING = 1e-11  # of some hundred steps
+FOUND = 1e-4  # of a step: how exactly the stop is to be found
 WATCHED = 4  # times as long as it slides, so that later creep is seen
 STIFF = (1e9, 1e10)  # N/m
 SPRUNG = (Method.PENALTY, Method.LAGGING)
@@ -111,9 +112,11 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
     return Exact({
         Method.EXACT: Tolerance(1e-12, "one event, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
-            max(1e-8 / count**2, ROUNDING),
-            "the trapezoidal rule follows a parabola, and the stop is found to 1e-4 of its step: "
-            "an error of (1e-4 dt/T)^2 of the displacement",
+            max((FOUND / count) ** 2, ROUNDING),
+            "the trapezoidal rule follows a parabola, so that only the stop can be missed. The "
+            "case demands that it is found to 1e-4 of its step, by which an error of (1e-4 dt/T)^2 "
+            "of the displacement is left: a demand and no estimate, which tells schemes that find "
+            "the stop from those that end the step at rest and are off by (dt/T)^2/4",
             dt=stop / count,
             order=2,
             floor=ROUNDING,
