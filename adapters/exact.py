@@ -9,7 +9,7 @@ from pathlib import Path
 import vv
 from vv.ask import Ask, Cost, Method, Model, Run, Status
 from vv.codes import Found, Scheme, timed
-from vv.codes.in_house import InHouse, Solver
+from vv.codes.in_house import InHouse, Solver, compiled
 from vv.engines import exact
 
 SCHEMES = (
@@ -28,6 +28,13 @@ SCHEMES = (
         Method.LINEARISED,
         exact.BONDS,
         knobs=(),
+    ),
+    Scheme(
+        "second-order",
+        "one body that slips on a rigid wall, in steps of dt: with forces at their means over a "
+        "step its slip has a closed form; where it turns slowly, the midpoint rule",
+        Method.SECOND_ORDER,
+        exact.RIGID,
     ),
 )
 
@@ -85,5 +92,6 @@ def found() -> Found:
 SOLVERS = (
     _solver(SCHEMES[0], "solve", exact.prepare),
     _solver(SCHEMES[1], "solve_linearised", exact.prepare_linearised),
+    compiled(SCHEMES[2], "solve_second_order", exact.steps_refused, exact.prepare_steps),
 )
 ADAPTER = InHouse("exact", "vv.engines.exact", SOLVERS, found)

@@ -118,8 +118,8 @@ def test_scenes_outside_the_class_are_refused_with_the_reason(reason: str, tmp_p
     assert (solve(ask).status, solve(ask).reason) == (Status.REFUSED, reason)
 
 
-def test_it_has_no_knobs_and_lacks_rotation() -> None:
-    assert all(scheme.knobs == () for scheme in ADAPTER.schemes)
+def test_only_steps_have_a_knob_and_rotation_is_lacking() -> None:
+    assert [scheme.knobs for scheme in ADAPTER.schemes] == [(), (), ("dt",)]
     assert all(Term.ROTATION in unsupported(s, frozenset(Term)) for s in ADAPTER.schemes)
     scheme = ADAPTER.schemes[0]
     assert not unsupported(scheme, asked("T4-rotated").scene.terms())

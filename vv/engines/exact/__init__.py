@@ -14,7 +14,7 @@ from vv.engines.exact.flow import SystemFlow, follow
 from vv.engines.exact.ledger import ledger
 from vv.engines.exact.line.flow import LineFlow
 from vv.engines.exact.line.model import line_of
-from vv.engines.exact.modelled import BONDS, TERMS
+from vv.engines.exact.modelled import BONDS, RIGID, TERMS
 from vv.engines.exact.path import Path
 from vv.engines.exact.reachability import RefusedError
 from vv.engines.exact.slide.flow import SliderFlow, lift_off
@@ -26,6 +26,7 @@ from vv.engines.exact.slide.system import (
     assemble_slider,
     describe_slider,
 )
+from vv.engines.exact.steps.flow import Steps
 from vv.engines.exact.stopped import StoppedError
 from vv.engines.exact.system import System, assemble, describe
 from vv.engines.exact.turn.flow import TurningFlow
@@ -36,12 +37,14 @@ from vv.standins.penalty_springs import as_spheres
 
 __all__ = [
     "BONDS",
+    "RIGID",
     "TERMS",
     "Path",
     "Prepare",
     "RefusedError",
     "Slide",
     "Slider",
+    "Steps",
     "StoppedError",
     "System",
     "Turn",
@@ -56,10 +59,13 @@ __all__ = [
     "move",
     "prepare",
     "prepare_linearised",
+    "prepare_steps",
     "ready",
     "refusal",
     "solve",
     "solve_linearised",
+    "solve_second_order",
+    "steps_refused",
 ]
 
 Problem = System | Slider | TurningSlider
@@ -99,6 +105,30 @@ def prepare_linearised(ask: Ask) -> Problem:
     problem = assemble_linearised(ask.scene)
     _check_observed(ask)
     return problem
+
+
+def prepare_steps(ask: Ask) -> Steps:
+    """An ask about one body on a rigid wall, ready for steps of its dt; raises RefusedError."""
+    if ask.knobs.dt is None:
+        raise RefusedError("Knobs.dt is None; steps need a length")
+    if not ask.scene.contact.rigid:
+        raise RefusedError(
+            f"Contact.kn = {ask.scene.contact.kn!r} N/m; steps are for rigid contact"
+        )
+    slider = _slider_held_on_wall(ask)
+    if isinstance(slider, Slider):
+        raise RefusedError("the slip keeps its line; `default` solves it exactly")
+    _check_observed(ask)
+    return Steps(ask, slider, describe_slider(ask.scene, slider))
+
+
+def steps_refused(ask: Ask) -> str | None:
+    """Why an ask cannot be solved in steps, or None if it can."""
+    try:
+        prepare_steps(ask)
+    except RefusedError as reason:
+        return str(reason)
+    return None
 
 
 def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
@@ -149,6 +179,15 @@ def solve(ask: Ask, prepare: Prepare = prepare) -> Run:
 def solve_linearised(ask: Ask) -> Run:
     """The run of an ask about bonds, exact to first order in the displacements."""
     return solve(ask, prepare_linearised)
+
+
+def solve_second_order(ask: Ask) -> Run:
+    """The run of an ask in steps of second order, without its cost; may be refused."""
+    try:
+        steps = prepare_steps(ask)
+    except RefusedError as reason:
+        return Run(Status.REFUSED, str(reason))
+    return steps.run(steps.solve())
 
 
 def duration(ask: Ask) -> float:

@@ -69,10 +69,17 @@ class Turn:
 
     def motion_in_space(self, place: Vector, speed: Vector, times: Vector) -> tuple[Vector, Vector]:
         """Displacement and velocity (t, 3) of the body: those of its slip and of the wall."""
-        slider = self.slider
-        angle = np.outer(times, 2 * np.pi * slider.frequency) + slider.phase
-        rates = 2 * np.pi * slider.frequency[:, None] * slider.base
-        return (
-            place @ slider.axes + (np.sin(angle) - np.sin(slider.phase)) @ slider.base,
-            speed @ slider.axes + np.cos(angle) @ rates,
-        )
+        axes = self.slider.axes
+        return with_wall(self.slider, place @ axes, speed @ axes, times)
+
+
+def with_wall(
+    slider: TurningSlider, slip: Vector, speed: Vector, times: Vector
+) -> tuple[Vector, Vector]:
+    """Displacement and velocity (t, 3) of a body from those of its slip, with those of its wall."""
+    angle = np.outer(times, 2 * np.pi * slider.frequency) + slider.phase
+    rates = 2 * np.pi * slider.frequency[:, None] * slider.base
+    return (
+        slip + (np.sin(angle) - np.sin(slider.phase)) @ slider.base,
+        speed + np.cos(angle) @ rates,
+    )
