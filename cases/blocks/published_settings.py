@@ -83,7 +83,10 @@ SETTINGS = {
 }  # fmt: skip
 
 ONE_OF_A_FIGURE = ("launch-0.1", "sine", "5hz", "0.5m", "mu-1", "2d", "3d-1e8")
-USUAL = {"fall-30": Level.QUICK, **dict.fromkeys(ONE_OF_A_FIGURE, Level.DEFAULT)}
+USUAL = {
+    **dict.fromkeys(ONE_OF_A_FIGURE, Level.DEFAULT),
+    **dict.fromkeys(("fall-30", "2d"), Level.QUICK),  # each scheme runs one of them
+}
 
 
 def _declare(variant: str, _: Parameters) -> Trial:
