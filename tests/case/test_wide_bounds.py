@@ -5,9 +5,22 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.support.records.measured_runs import SECOND, run
-from vv.ask import Knobs, Method
-from vv.case import Exact, Interval, Scalar, Shown, Tolerance, capped, shown_if_wide
+from tests.support.records.measured_runs import SCENE, SECOND, run
+from vv.ask import History, Knobs, Method
+from vv.case import (
+    CodeToCode,
+    Exact,
+    Interval,
+    Ladder,
+    Level,
+    Printed,
+    Scalar,
+    Shown,
+    Tolerance,
+    capped,
+    has_setting,
+    shown_if_wide,
+)
 from vv.records.outcomes import Verdict
 from vv.records.record import measured
 
@@ -72,3 +85,50 @@ def test_it_is_cut_at_the_parameters_of_the_case_alone(
     judge = Exact({SECOND: capped(0.25, "why")})
     quantity = Scalar("e", "e", "J", "energy", lambda run: value, 1.0, 1.0, judge)
     assert measured(run(), quantity, SECOND, AT, modified)[0].verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("chosen", "value", "verdict"),
+    [(False, 1.2, Verdict.FAIL), (True, 1.24, Verdict.PASS), (True, 1.26, Verdict.FAIL)],
+)
+def test_it_is_not_cut_at_a_setting_that_is_none_of_the_case(
+    chosen: bool, value: float, verdict: Verdict
+) -> None:
+    judge = Exact({SECOND: capped(0.25, "why")})
+    quantity = Scalar("e", "e", "J", "energy", lambda run: value, 1.0, 1.0, judge)
+    assert measured(run(), quantity, SECOND, AT, chosen=chosen)[0].verdict is verdict
+
+
+def test_a_run_at_a_chosen_setting_is_shown_where_its_bound_tells_nothing() -> None:
+    judge = Exact({SECOND: capped(1.5, "why")})
+    quantity = Scalar("e", "e", "J", "energy", lambda run: 1.2, 1.0, 1.0, judge)
+    for chosen, verdict in ((False, Verdict.FAIL), (True, Verdict.NO_REFERENCE)):
+        assert measured(run(), quantity, SECOND, AT, chosen=chosen)[0].verdict is verdict
+
+
+def test_what_is_known_of_the_parameters_of_a_case_is_judged_at_a_chosen_setting_too() -> None:
+    """The answer of another code holds at these parameters, whatever the setting."""
+    printed = CodeToCode(Printed(1.0, 0.1, "code", "report"), 0.5, "why")
+    quantity = Scalar("e", "e", "J", "energy", lambda run: 1.05, None, 1.0, printed)
+    for modified, verdict in ((False, Verdict.PASS), (True, Verdict.NO_REFERENCE)):
+        found, _ = measured(run(), quantity, SECOND, AT, modified, chosen=True)
+        assert found.verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("knobs", "own"),
+    [
+        (Knobs(1e-3, 1e8), True),
+        (Knobs(2e-3, 1e9), True),  # at another level
+        (Knobs(1e-3, 1e9), False),
+        (Knobs(1.1e-3, 1e8), False),
+        (Knobs(1e-3), True),  # of a scheme without a stiffness
+        (Knobs(3e-3), False),
+        (Knobs(), True),  # of a scheme without settings
+        (Knobs(1e-3, 1e8, 0.5), False),
+    ],
+)
+def test_a_setting_is_of_the_case_if_it_is_so_at_any_level(knobs: Knobs, own: bool) -> None:
+    levels = {Level.QUICK: (AT,), Level.DEFAULT: (AT,), Level.PAPER: (AT, Knobs(2e-3, 1e9))}
+    study = Ladder(SCENE, History(1.0, 0.1), (), levels)
+    assert has_setting(study, knobs) is own

@@ -31,10 +31,10 @@ class Tolerance:
     value: the bound at the step dt [s] and at the stiffness kn [N/m] of springs that represent
     rigid contact. It scales as dt**order and kn**-softness with the setting. late [1/s] times the
     step is added, for events that take effect only at whole steps. The bound is never below `floor`
-    nor, at a case's own parameters, above LARGEST_TOLERANCE. slack: the reason, if the bound is
-    more than a hundred times the error that codes reach. over: how many times larger the bound is
-    than `value`, if that is cut at LARGEST_TOLERANCE; see `vv.case.capped`. Raises ValueError
-    naming the field, the value and the rule.
+    nor, at a case's own parameters and settings, above LARGEST_TOLERANCE. slack: the reason, if the
+    bound is more than a hundred times the error that codes reach. over: how many times larger the
+    bound is than `value`, if that is cut at LARGEST_TOLERANCE; see `vv.case.capped`. Raises
+    ValueError naming the field, the value and the rule.
     """
 
     value: float

@@ -181,6 +181,13 @@ def why_too_long(
     )
 
 
+def has_setting(study: Ladder | Search | Grid, knobs: Knobs) -> bool:
+    """Whether knobs are a setting of a study at any level, as far as a scheme has them."""
+    asked = {name: value for name, value in vars(knobs).items() if value is not None}
+    every = (one for level in study.rungs.values() for one in level)
+    return any(all(getattr(one, name) == asked[name] for name in asked) for one in every)
+
+
 def knobs_in_scene(study: Ladder | Search | Grid) -> tuple[str, ...]:
     """Names of the knobs that change the scene itself, whether or not a scheme has them."""
     return ("kn",) if isinstance(study, Grid) and study.scene_with_kn else ()

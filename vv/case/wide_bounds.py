@@ -35,8 +35,9 @@ def _too_wide(bound: float, reason: str) -> str:
 def shown_if_wide(judge: Judge, method: Method, knobs: Knobs) -> Judge:
     """The judge, or Shown where its uncut bound at a setting accepts an answer of zero.
 
-    At the case's own parameters a bound is cut at LARGEST_TOLERANCE, since no error may be larger
-    there; at others a code that is right may have the error that the uncut bound allows.
+    At the case's own parameters and settings a bound is cut at LARGEST_TOLERANCE, since no error
+    may be larger there; at others a code that is right may have the error that the uncut bound
+    allows.
     """
     if isinstance(judge, Exact):
         tolerance = judge.tolerance(method)

@@ -60,18 +60,25 @@ class _Figures:
 
 
 def measured(
-    run: Run, quantity: Quantity, method: Method, knobs: Knobs, modified: bool = False
+    run: Run,
+    quantity: Quantity,
+    method: Method,
+    knobs: Knobs,
+    modified: bool = False,
+    chosen: bool = False,
 ) -> tuple[MeasuredQuantity, Mapping[str, Vector]]:
     """A quantity of a run in the form of a record, and the arrays of its series.
 
-    modified: the parameters are not the case's own.
+    modified: the parameters are not the case's own; chosen: the setting is none of the case's.
     """
     judge = judge_for_method(quantity.judge, method)
     if modified:
-        judge = shown_if_wide(judge_at_other_parameters(judge), method, knobs)
+        judge = judge_at_other_parameters(judge)
+    if modified or chosen:
+        judge = shown_if_wide(judge, method, knobs)
     if isinstance(quantity, Scalar) and not quantity.is_reported(run):
         judge = NOT_REPORTED
-    norm, tolerance, why = _bound(judge, method, knobs, modified)
+    norm, tolerance, why = _bound(judge, method, knobs, modified or chosen)
     found = _figures(run, quantity, judge, method)
     made = MeasuredQuantity(
         name=quantity.name,

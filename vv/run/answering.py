@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from vv.ask import Run, Status
 from vv.base.notices import notice
-from vv.case import Grid, Search, Trial, last_stable_step
+from vv.case import Grid, Search, Trial, has_setting, last_stable_step
 from vv.plan import keys
 from vv.plan.plan import Job, Plan
 from vv.plan.project import Project
@@ -112,11 +112,14 @@ def _measured(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
     quantity.
     """
     trial = plan.trials[job.case, job.variant]
+    chosen = not has_setting(trial.study, job.ask.knobs)
     quantities: list[MeasuredQuantity] = []
     arrays: dict[str, Vector] = {}
     try:
         for quantity in trial.quantities if run.status is Status.RAN else ():
-            one, series = measured(run, quantity, job.method, job.ask.knobs, job.modified)
+            one, series = measured(
+                run, quantity, job.method, job.ask.knobs, job.modified, chosen=chosen
+            )
             quantities.append(one)
             arrays.update(series)
     except Exception as error:
