@@ -265,12 +265,12 @@ VARIANTS = (
         "breathing", "free in space, all bonds oscillate in phase; no bond rotates, at any "
                      "amplitude",
         "L = d (1 + A sin 2 sqrt(kn/m) t)", {"strain": 0.01, "eta": 0.0},
-        inert=frozenset({"gamma"}),
+        inert=frozenset({"gamma", "eta"}),
     ),
     Variant(
         "turned", "rotation as a whole, which elements that cannot rotate resist: an artefact",
         "energy 2 ks d^2 a^2 at an angle a, which oscillates at 2 sqrt(ks/m)",
-        {"eta": 0.0},
+        {"eta": 0.0}, inert=frozenset({"eta"}),
     ),
 )  # fmt: skip
 CASE = Case(

@@ -242,7 +242,7 @@ BOTH = (
     "|F| <= mu kn U, s = (v_2 - v_1).e - (a_1 w_1 + a_2 w_2), a_i = r_i - U/2; F = 0 where they "
     "part"
 )
-OF_ONE = frozenset({"r2", "w2"})
+OF_ONE, WEIGHTLESS = frozenset({"r2", "w2"}), frozenset({"g"})
 VARIANTS = (
     Variant(
         "floor", "a sphere thrown onto a floor bounces four times, sticking and slipping each time",
@@ -257,11 +257,11 @@ VARIANTS = (
     Variant(
         "pair", "two spheres collide obliquely without gravity and separate: slip, stick, slip",
         BOTH, PAIR := {"kn": 5e6, "ks": 4e6, "mu": 0.3, "g": 0.0, "v_n": 0.04, "v_t": 0.03,
-                       "w1": 0.2, "w2": -0.4},
+                       "w1": 0.2, "w2": -0.4}, inert=WEIGHTLESS,
     ),
     Variant(
         "again", "dead loads press the spheres together: they bounce on each other three times",
-        BOTH, {**PAIR, "load": 26.0},
+        BOTH, {**PAIR, "load": 26.0}, inert=WEIGHTLESS,
     ),
 )  # fmt: skip
 CASE = Case(

@@ -192,6 +192,7 @@ JAMS = Exact(
     not_judged=SHOWN,
 )
 SHORT = {"half": "in 0.04 s the rod rotates too little for its length to matter"}
+JAMMING = {"mu": "with any friction beyond the limit of the paradox the rod jams in the same way"}
 CASE = Case(
     name="painleve",
     title="Painleve's paradox",
@@ -215,15 +216,14 @@ CASE = Case(
         Variant(
             f"mu-{mu:g}", f"mu = {mu:g}, {where}",
             "N = m g/(1 + 3 cos^2 - 3 mu sin cos) while it slides without turning, theta its slope",
-            {"mu": mu}, frozenset({"m"}) | inert, level, SHORT if mu < CRITICAL else {},
+            {"mu": mu}, frozenset({"m"}), level, SHORT if mu < CRITICAL else JAMMING,
         )
-        for mu, where, inert, level in (
-            (0.8, "slides", frozenset(), Level.QUICK),
+        for mu, where, level in (
+            (0.8, "slides", Level.QUICK),
             (1.3, "slides and soon stops, under a normal force of 25 times its "
-             "weight", frozenset(), Level.DEFAULT),
-            (1.34, "just beyond the limit of the paradox: it "
-                   "jams", frozenset({"mu"}), Level.DEFAULT),
-            (2.0, "far beyond the limit of the paradox: it jams", frozenset({"mu"}), Level.QUICK),
+             "weight", Level.DEFAULT),
+            (1.34, "just beyond the limit of the paradox: it jams", Level.DEFAULT),
+            (2.0, "far beyond the limit of the paradox: it jams", Level.QUICK),
         )
     ),
     declare=_declare,

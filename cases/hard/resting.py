@@ -213,7 +213,7 @@ CASE = Case(
             "with 1 % less it slips, with none it falls",
             "z = -(m g/2 ks)(1 - cos wt), w^2 = 2 ks/m, while m g < mu N, N = kn r squeeze; else "
             "it slides where its springs bear mu N",
-            {"squeeze": HELD_BY}, frozenset({"n", "rows"}),
+            {"squeeze": HELD_BY}, frozenset({"n", "rows", "v"}),
             unseen=dict.fromkeys(("kn", "mu", "squeeze"), STICKS),
         ),
         Variant(

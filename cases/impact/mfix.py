@@ -333,12 +333,12 @@ CASE = Case(
             "dem03", "DEM03: two spheres pressed between two walls",
             "m1 y1'' = k (R - y1) - k (2 R - y2 + y1) - m1 g, "
             "m2 y2'' = k (2 R - y2 + y1) - k (R - H + y2) - m2 g", SMALL,
-            inert=frozenset({"mu", "v", *GAS}),
+            inert=frozenset({"z", "mu", "v", *GAS}),
         ),
         Variant(
             "dem04", "DEM04: a sphere slips on a wall until it rolls",
             "m v' = T, T' = -ks s until |T| = mu m g, s' = 7/2 T/m",
-            {"R": 5e-4, "rho": 1e4}, inert=frozenset({"rho2", "h", "h2", "H", *GAS}),
+            {"R": 5e-4, "rho": 1e4}, inert=frozenset({"rho2", "h", "h2", "H", "z", *GAS}),
         ),
         Variant(
             "dem05-linear", "DEM05: aluminium oxide strikes glass, linear springs",

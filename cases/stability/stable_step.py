@@ -173,6 +173,7 @@ SWING = "m y'' = -k y - eta y', w^2 = k/m, n = eta/2m: a leapfrog is stable up t
 LIMIT = SWING.format("2/w")
 HELD = frozenset({"kn", "mu", "dx", "v"})  # with enough friction, at any amplitude
 ALONE, FREE = frozenset({"ratio", "g"}), {"eta": 0.0}
+SPRUNG = frozenset({"ks", "mu", "eta"})  # of a normal spring, without drag
 MASSES = {"m": 1.0, "kn": 1e6, "ks": 0.0, "mu": 0.0, "dx": 1e-2, **FREE}
 CASE = Case(
     name="stable-step",
@@ -217,7 +218,7 @@ CASE = Case(
                 f"two spheres pressed on each other, mass ratio {name}",
                 LIMIT.replace("k/m", "k (1/m + 1/M)"),
                 {**MASSES, "ratio": ratio},
-                frozenset({"dx", "v", "g"}),
+                SPRUNG | {"dx", "v", "g"},
                 level=Level.QUICK if ratio == 1e6 else Level.DEFAULT,
                 unseen={
                     "ratio": "beside a much larger mass, the smaller one oscillates as if alone"
@@ -230,7 +231,7 @@ CASE = Case(
             "a block on a base that begins to move up and down; kn represents the rigid contact",
             LIMIT,
             {"m": 2500.0, "kn": 1e8, "ks": 0.0, "mu": 0.0, "dx": 0.0, **FREE},
-            frozenset({"ratio", "v", "g"}),
+            SPRUNG | {"ratio", "dx", "v", "g"},
         ),
     ),
     declare=_declare,
