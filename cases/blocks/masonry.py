@@ -159,7 +159,7 @@ def _slides(moving: tuple[Displacement, ...], p: Parameters, own: bool) -> tuple
 
     own: the parameters are the case's, at which the wall is known to slide.
     """
-    bounds = _sliding_wall.bounds(p, own or _sliding_wall.alone(p))
+    bounds = _sliding_wall.bounds(p, own)
 
     def slid(name: str, what: str, body: Displacement) -> Quantity:
         return Series(

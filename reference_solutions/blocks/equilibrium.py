@@ -8,10 +8,12 @@ more than one motion may obey all laws, and stones that may stay may also move (
 """
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
 
 BASE = -1  # the number of what carries the stones, at height 0
 TOUCHES = 1e-9  # of a stone's width: stones that are closer touch
@@ -45,20 +47,26 @@ def contacts(stones: Sequence[Stone]) -> Iterator[Contact]:
     for number, stone in enumerate(stones):
         if stone.low == 0.0:
             yield from (Contact(BASE, number, x, 0.0, True) for x in stone[:2])
-    for pair in combinations(range(len(stones)), 2):
-        for i, j in (pair, pair[::-1]):
-            yield from _joint(i, j, stones[i], stones[j])
+    left, right, low, high = np.array(stones, float).reshape(-1, 4).T
+    near = TOUCHES * (right - left)[:, None]
+    for i, j in _meeting(high, low, left, right, near):
+        ends = max(left[i], left[j]), min(right[i], right[j])
+        yield from (Contact(i, j, float(x), stones[j].low, True) for x in ends)
+    for i, j in _meeting(right, left, low, high, near):
+        ends = max(low[i], low[j]), min(high[i], high[j])
+        yield from (Contact(i, j, stones[j].left, float(z), False) for z in ends)
 
 
-def _joint(i: int, j: int, one: Stone, other: Stone) -> Iterator[Contact]:
-    """The ends of the joint where the second stone lies on the first, or is right of it."""
-    near = TOUCHES * (one.right - one.left)
-    across = max(one.left, other.left), min(one.right, other.right)
-    upwards = max(one.low, other.low), min(one.high, other.high)
-    if abs(one.high - other.low) < near < across[1] - across[0]:
-        yield from (Contact(i, j, x, other.low, True) for x in across)
-    if abs(one.right - other.left) < near < upwards[1] - upwards[0]:
-        yield from (Contact(i, j, other.left, z, False) for z in upwards)
+def _meeting(
+    side: Array, other: Array, first: Array, last: Array, near: Array
+) -> Iterator[tuple[int, int]]:
+    """Pairs of a stone and another, whose `other` side lies on its side, along more than a point.
+
+    first, last: where these sides begin and end; near: the least length, for each stone (k, 1).
+    """
+    along = np.minimum(last[:, None], last) - np.maximum(first[:, None], first)
+    meet = (np.abs(side[:, None] - other) < near) & (along > near)
+    yield from ((int(i), int(j)) for i, j in np.argwhere(meet) if i != j)
 
 
 def stands(stones: Sequence[Stone], mu: float, thrust: float, upright: bool = True) -> bool:
@@ -84,7 +92,7 @@ def stands(stones: Sequence[Stone], mu: float, thrust: float, upright: bool = Tr
     weights = np.array([(one.right - one.left) * (one.high - one.low) for one in stones])
     loads = np.outer(weights / weights.mean(), [thrust, 1.0, 0.0]).ravel()
     balance = csr_array((values, (rows, columns)), shape=(len(loads), cones))
-    answer = linprog(np.zeros(cones), A_eq=balance, b_eq=loads)
+    answer = linprog(np.zeros(cones), A_eq=balance, b_eq=loads, method="highs-ipm")
     if answer.status not in (BALANCED, UNBALANCED):
         raise RuntimeError(f"whether the stones stand is not known: {answer.message}")
     return bool(answer.status == BALANCED)

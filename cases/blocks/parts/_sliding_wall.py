@@ -23,16 +23,29 @@ def alone(p: Parameters) -> bool:
     that of the base. Forces that are linear in it balance any smaller one, and the wall is
     symmetric, so that the largest to one side decides.
     """
-    hardest = p["D"] * (2 * math.pi * p["f"]) ** 2
-    thrust = min(p["mu"], hardest / p["g"]) if p["g"] else 0.0
-    size = int(p["columns"]), int(p["courses"])
-    if not _balanced(*size, p["mu"], thrust, upright=True):
+    thrust = _thrust(p)
+    if not (_bears(p, 1.0) or _balanced(*_size(p), p["mu"], thrust, upright=True)):
         raise ValueError(
             f"mu = {p['mu']!r}; the wall does not move as one block: where it slides, or is shaken "
             f"hardest, its stones need a thrust of {thrust:.4g} times their weight, and no forces "
             "that press and obey Coulomb's law balance them"
         )
-    return _balanced(*size, SURE * p["mu"], SURE * thrust, upright=False)
+    return _bears(p, SURE)
+
+
+def _size(p: Parameters) -> tuple[int, int]:
+    return int(p["columns"]), int(p["courses"])
+
+
+def _thrust(p: Parameters) -> float:
+    """The largest thrust on a stone that moves with the wall or with the base, over its weight."""
+    hardest = p["D"] * (2 * math.pi * p["f"]) ** 2
+    return min(p["mu"], hardest / p["g"]) if p["g"] else 0.0
+
+
+def _bears(p: Parameters, times: float) -> bool:
+    """Whether bed joints alone balance the stones under so many times the thrust and friction."""
+    return _balanced(*_size(p), times * p["mu"], times * _thrust(p), upright=False)
 
 
 @functools.lru_cache
@@ -43,12 +56,13 @@ def _balanced(columns: int, courses: int, mu: float, thrust: float, upright: boo
     return stands(stones, mu, thrust, upright=upright)
 
 
-def bounds(p: Parameters, sure: bool) -> Exact:
+def bounds(p: Parameters, own: bool) -> Exact:
     """The bounds of a wall that slides, by its courses on springs and by the step.
 
-    sure: no other motion is at hand; where one is, runs are shown and not judged.
+    own: the parameters are the case's, at which the wall is known to slide as one block, on springs
+    too. At others runs are shown and not judged where another motion is at hand.
     """
-    if not sure:
+    if not (own or alone(p)):
         return Exact({}, not_judged=dict.fromkeys(CLASSES, MAY_PART) | {Method.LAGGING: SLIPS})
     whole = (
         "the step in which slip reverses is not cut: the speed gets an error of up to 2 mu g dt, f "
@@ -67,7 +81,7 @@ def bounds(p: Parameters, sure: bool) -> Exact:
         {Method.SECOND_ORDER: second, Method.FIRST_ORDER: first},
         {Method.LAGGING: SLIPS},
     )
-    if _leans(p):
+    if not (own or _bears(p, SWINGS)):
         return Exact(judged, not_judged={**shown, Method.PENALTY: EXCITED})
     penalty = capped(
         max(_walk(p), ROUNDING),
@@ -93,18 +107,6 @@ def slid(t: Vector, p: Parameters) -> Vector:
     return np.asarray(moved - responding_block.base(t, D=p["D"], f=p["f"]))
 
 
-def _leans(p: Parameters) -> bool:
-    """Whether friction makes a sliding wall vibrate on springs without damping, at fine steps.
-
-    Its thrust leans by mu, and meets the foot mu n H/2 off the middle. Joints of a solid wall open
-    at a sixth of its width; here door and window take up to half of the foot, and stones rock on
-    one another. The limits are found by trial and not derived: below them no run that was tried at
-    half a millisecond, with 6 to 16 columns and 5 to 14 courses, was off by more than is allowed.
-    """
-    off = p["mu"] * p["courses"] * HEIGHT / 2
-    return off > min(FOOT * p["columns"] * LENGTH, STONE * LENGTH)
-
-
 ROUNDING = 1e-11  # of positions
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY)
 # Of the thrust, by trial: of fifteen walls of 6 to 12 columns none parted at up to 0.96 of the
@@ -116,10 +118,13 @@ MAY_PART = (
     "joints bear nothing: with friction more than one motion may then obey all laws, and stones "
     "that may stay may also move"
 )
-FOOT, STONE = 1 / 16, 3 / 4  # how far off the middle, of the wall's width and of a stone's length
+# Of the thrust: friction that begins to press a wall on springs without damping swings it twice as
+# far, and where friction then changes sign, from there about its other place of rest, three times.
+SWINGS = 3.0
 SLIPS = "with lagging friction, courses slip on one another by a quarter of the displacement"
 EXCITED = (
-    "where the thrust leans towards the edge, friction makes springs without damping vibrate: "
-    "normal forces change, and courses, all of which are at Coulomb's limit, walk by up to half of "
-    "the displacement. This is how these springs move; only long steps damp it"
+    "springs without damping swing three times as far as friction presses when it changes its "
+    "sign. Under that thrust no forces in bed joints balance the stones, so that joints may open, "
+    "and courses, all of which are at Coulomb's limit, walk by up to half of the displacement. "
+    "This is how these springs move; only long steps damp it"
 )
