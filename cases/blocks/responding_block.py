@@ -9,7 +9,7 @@ import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import RUNGS, levels
-from cases.blocks.parts import _responding_bounds
+from cases.blocks.parts import _responding_bounds, _responding_lift
 from cases.blocks.parts._responding_bounds import DENSITY, SIDE, Path, directions
 from reference_solutions.blocks import responding_block
 from vv.ask import Displacement, History, Knobs
@@ -76,15 +76,16 @@ def _declare(variant: str, p: Parameters) -> Trial:
     motion = Motion(BLOCK, axes, path, goal.times(None), "m", _responding_bounds.free_fall(p))
     if variant == "map":
         return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
-    judge = _responding_bounds.in_plane(p, path)
-    along = {2: _responding_bounds.vertical(p)}
+    judge = _responding_bounds.in_plane(p, path, motion.size)
+    along = {2: _responding_lift.vertical(p, motion.size)} if len(axes) > 2 else {}
     parts = tuple(
         motion.component(
             i, f"d2{axis}", f"displacement of the block along {axis}", along.get(i, judge)
         )
         for i, axis in enumerate("xyz"[: len(axes)])
     )
-    whole = (motion.distance(judge),) if len(axes) > 1 else ()
+    anywhere = _responding_lift.in_space(p, path, motion.size)
+    whole = (motion.distance(anywhere),) if len(axes) > 1 else ()
     timed = (RUNGS[0], STIFFER) if variant in ("1d", "2d", "3d") else ()
     stiffest = TURNING if variant == FREE else STIFFEST
     rungs = _resolved_levels(levels(STIFFER, stiffest), stiffest, p)

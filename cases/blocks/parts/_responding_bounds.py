@@ -46,66 +46,46 @@ def reversal_error(p: Parameters) -> float:
     return float(0.5 * omega**2 * min(ends, p["duration"]))
 
 
-def in_plane(p: Parameters, path: Path) -> Exact:
-    """Along the base; codes of first order are not judged where chance would decide."""
-    first = _whole_steps(p)
+def in_plane(p: Parameters, path: Path, way: float) -> Exact:
+    """Along the base; codes of first order are not judged where chance would decide.
+
+    way: the largest displacement [m].
+    """
+    first = _whole_steps(p, way)
     within = _within_steps(p) if directions(p) == 1 else {}
-    return Exact(_tolerances(p, path) | first | within, not_judged={} if first else LOST)
+    return Exact(_tolerances(p, path, way) | first | within, not_judged={} if first else LOST)
 
 
-def vertical(p: Parameters) -> Exact:
-    """Upwards: the block follows the base, and sinks into springs that lift it."""
-    omega = 2 * np.pi * p["fz"]
-    way = np.hypot(2 * p["Dz"], p["D"])
-    sinks = capped(
-        max(float(2 * MASS * p["Dz"] * omega**2 / SPRING / way), 1e-9),
-        "the block sinks by m z''/kn as the base lifts it, and twice as far where it oscillates",
-        kn=SPRING,
-        softness=1,
-        late=2e-2,
-    )
-    turned = omega * STEP
-    rests = capped(
-        max(float(p["Dz"] * turned**3 / 6 / way), GAP),
-        "contact is rigid: the block has the velocity of the base at the ends of a step. The mean "
-        "of both is off by Dz w (w dt)^2/12, which the next step makes up for; twice that is "
-        "allowed, and a gap at the start",
-        dt=STEP,
-        order=3,
-        floor=GAP,
-        slack="a code that closes all gaps at the end of a step has rounding errors only",
-    )
-    return Exact({
-        Method.EXACT: Tolerance(1e-12, LOCATED),
-        Method.SECOND_ORDER: rests,
-        Method.STRAIGHT: rests,
-        Method.FIRST_ORDER: Tolerance(
-            1e-9,
-            "the block follows the base half a step late",
-            late=float(omega) / 2,
-            slack="some schemes have velocities at half steps, and no such delay",
-        ),
-        Method.PENALTY: sinks,
-        Method.LAGGING: sinks,
-    })  # fmt: skip
-
-
-def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:
+def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance]:
     """The tolerances: reversals of slip are located, or late by a part of a step or of 1/w."""
     one_way = directions(p) == 1
-    if one_way:
-        way = float(np.abs(path(np.linspace(0.0, p["duration"], 101))).max())
-    else:
-        way = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
-    rate = p["mu"] * p["g"] * p["duration"] / (way or free_fall(p))
+    rate, stops = p["mu"] * p["g"] * p["duration"] / way, _stops(p)
     # f in Hz: delays add up faster at higher frequencies
     quick = 1 + p["f"] / 3 if one_way else 1.0
     return {
         Method.EXACT: Tolerance(1e-13, LOCATED) if one_way else _rounding(p, path),
-        Method.SECOND_ORDER: _second(p) if one_way else _rotating(p),
-        Method.PENALTY: _late_reversals(rate, 0.07 * quick, 0.8),
-        Method.LAGGING: _late_reversals(rate, 0.1 * quick, 2.0, "; lagging friction adds to it"),
+        Method.SECOND_ORDER: _second(p) if one_way else _rotating(p, way),
+        Method.PENALTY: _late_reversals(rate, 0.07 * quick, max(0.8, stops)),
+        Method.LAGGING: _late_reversals(
+            rate, 0.1 * quick, max(2.0, 2 * stops), "; lagging friction adds to it"
+        ),
     }
+
+
+def _stops(p: Parameters) -> float:
+    """The steps by which slip is late because the base stops along both axes, over the run.
+
+    Slip is then that of the block alone, some mu g/w. Where the base gains half of that in a step,
+    the direction of slip turns within it, and friction of that step is wrong by up to mu g dt. This
+    happens twice a period of the slower axis at most, and moves the block for half the run on
+    average.
+    """
+    if directions(p) == 1:
+        return 0.0
+    rates = 2 * np.pi * np.array([p["f"], p["fy"]])
+    gained = float(np.hypot(*(np.array([p["D"], p["Dy"]]) * rates**2)) * STEP)
+    slow = float(rates.min())
+    return p["duration"] * slow / (2 * np.pi) if p["mu"] * p["g"] / slow < 2 * gained else 0.0
 
 
 def _rounding(p: Parameters, path: Path) -> Tolerance:
@@ -119,15 +99,16 @@ def _rounding(p: Parameters, path: Path) -> Tolerance:
     )
 
 
-def _whole_steps(p: Parameters) -> dict[Method, Tolerance]:
+def _whole_steps(p: Parameters, way: float) -> dict[Method, Tolerance]:
     """For first order: friction acts at ends of steps; empty if the bound at STEP is too large."""
     omega = 2 * np.pi * np.array([p["f"], p["fy"], p["fz"]][: directions(p)])
-    late = reversal_error(p) if len(omega) == 1 else float(omega.max())
+    stopped = p["mu"] * p["g"] * p["duration"] / way * _stops(p)
+    late = reversal_error(p) if len(omega) == 1 else float(omega.max()) + stopped
     bound = Tolerance(
         1e-9,
         "slip reverses on whole steps: the block keeps an error of speed of up to D w^2 dt for pi "
         "D w/(2 mu g), the time in which friction removes it. Where the direction of slip rotates, "
-        "friction is late by up to w dt",
+        "friction is late by up to w dt, and where the base stops along both axes by mu g dt",
         late=late,
         slack="reversals fall on whole steps only if steps divide the period",
     )
@@ -181,11 +162,12 @@ def _second(p: Parameters) -> Tolerance:
     )
 
 
-def _rotating(p: Parameters) -> Tolerance:
+def _rotating(p: Parameters, way: float) -> Tolerance:
     """For slip whose direction rotates."""
     omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
+    dragged = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
     return capped(
-        max(float(0.6 * (omega * STEP) ** 2), 1e-7),
+        max(0.6 * (omega * STEP) ** 2 * max(dragged / way, 1.0), 1e-7),
         "friction acts along the mean direction of slip over a step. Where the slip is slow its "
         "direction turns by more than w dt of the fastest sine, and the error is the square of "
         "that angle",

@@ -5,7 +5,7 @@ import pytest
 
 from cases.blocks.responding_block import CASE
 from vv.ask import Knobs, Method
-from vv.case import Level
+from vv.case import Exact, Level
 from vv.engines import dda, dem, rigid
 from vv.records.record import measured
 
@@ -57,3 +57,30 @@ def test_springs_are_judged_at_5_hz_where_steps_do_not_decide(given: dict[str, f
             run = solve(trial.study.ask(knobs))
             (judged,) = (measured(run, q, method, knobs)[0] for q in trial.quantities)
             assert judged.verdict.value == "pass"
+
+
+@pytest.mark.parametrize(
+    ("variant", "given"),
+    [
+        ("3d", {"mu": 0.0}),
+        ("3d", {"mu": 1e-3}),
+        ("3d", {"mu": 0.03, "Dz": 0.005, "fz": 5.0}),
+        ("2d", {"mu": 0.01}),
+        ("2d", {"mu": 0.1}),
+    ],
+    ids=str,
+)
+def test_springs_are_within_their_bounds_with_little_friction_or_none(
+    variant: str, given: dict[str, float]
+) -> None:
+    """The base stops along both axes at once, where slip turns within a step; and it lifts."""
+    trial = CASE.declare(variant, {**CASE.defaults(variant), **given})
+    solved = ((dem.solve_published, Method.PENALTY), (dda.solve_lagged, LAGS))
+    for knobs in trial.study.rungs[Level.QUICK]:
+        for solve, method in solved:
+            run = solve(trial.study.ask(knobs))
+            for q in trial.quantities:
+                assert isinstance(q.judge, Exact)
+                error = measured(run, q, method, knobs)[0].error
+                assert error is not None
+                assert error <= q.judge.tolerance(method).uncut(knobs), (knobs, method, q.name)
