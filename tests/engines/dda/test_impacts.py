@@ -7,8 +7,9 @@ import math
 import numpy as np
 
 from cases.blocks.rocking_restitution import CASE as ROCKING
+from tests.scenes.blocks.dda_scenes import closes, run
 from vv.ask import Knobs
-from vv.engines.dda import DEFAULT, prepare, solve
+from vv.engines.dda import BORNE, DEFAULT, prepare, solve
 from vv.plan.project import find
 from vv.scene import Vector
 from vv.standins.stand_in import SHEAR
@@ -52,11 +53,16 @@ def test_the_rebound_of_a_rod_that_jams_is_that_of_its_springs_and_damped_by_the
     for dt in (1e-4, 2e-5, 5e-6):
         ask = study.ask(Knobs(dt, KN))
         program = prepare(ask, DEFAULT)
-        run = program.run(program.solve())
-        ends.append(run.values[ask.observables[0]][-1, [0, 2]])
+        done = program.run(program.solve())
+        ends.append(done.values[ask.observables[0]][-1, [0, 2]])
     off = np.linalg.norm(np.array(ends) - due, axis=1) / np.linalg.norm(due)
     assert off[2] < off[1] < off[0]
     assert off[2] < 2e-3
+
+
+def test_passes_of_multipliers_end_with_the_solution_of_equations_and_not_beside_it() -> None:
+    """Springs may carry nothing for unknowns that Newton's iteration has not found yet."""
+    closes(run(CASE.declare("mu-2", P).study.ask(Knobs(2.5e-4, KN)), BORNE))
 
 
 def test_forces_that_stiff_springs_make_of_rounding_are_in_the_bound_of_the_energy() -> None:

@@ -146,7 +146,7 @@ class PreparedBlocks:
         return f"contacts start {pressed}{settled}"
 
     def _worst(self, report: Vector) -> str:
-        residual, most, deepest, cuts, failed, solved, excess, _, _ = report
+        residual, most, deepest, cuts, failed, solved, excess, *_ = report
         return (
             f"worst step: friction off by {residual:.3g} N, {most:.0f} iterations, penetration "
             f"{deepest:.3g} m, {excess:.3g} N beyond mu N; {solved:.0f} solutions, {cuts:.0f} "
@@ -169,12 +169,13 @@ class PreparedBlocks:
         largest = np.abs(terms).sum(axis=1).max()
         steps = self.ask.goal.steps(self.ask.dt) + 1
         created = float(energy[-1, CREATED])
+        quickest = max(terms[:, 0].tolist() + report[9:].tolist())  # also between rows
         rounding = ROUNDINGS * EPS * steps * float(largest)
         return Ledger(
             terms=dict(zip(self._names(), terms[-1].tolist(), strict=True)),
             unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
             peak=max(put_in, float(terms[:, HELD].sum(axis=1).max())),
-            bound=rounding + self._worked(report, float(terms[:, 0].max())),
+            bound=rounding + self._worked(report, quickest),
             audits=dict(self._audits(report, created, rounding)),
         )
 
@@ -191,7 +192,7 @@ class PreparedBlocks:
         Energy is not checked where newly detected contacts can create it, or friction that lags:
         that exceeds mu N, and stores more energy in springs than was put into them.
         """
-        *_, excess, adrift, peak = (float(number) for number in report)
+        excess, adrift, peak = (float(number) for number in report[6:9])
         deepest = float(report[2])
         lags = not np.isfinite(self.formulation.tolerance)
         if isinstance(self.system, Sliding) and not (lags and self.formulation.charged):

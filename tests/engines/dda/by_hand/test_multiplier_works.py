@@ -36,9 +36,10 @@ def test_all_work_of_a_contact_but_that_of_friction_is_lost(
         columns=np.array([2]), column=np.array([[2, 0]]), field=field, gap=np.array([-0.06]),
         force=np.zeros((1, 3)),
     )  # fmt: skip
-    ledger, worst, pull = np.arange(13.0), np.zeros(9), np.full(4, 9.0)
-    work: Any = SimpleNamespace(ledger=ledger, worst=worst, pull=pull, moved=moved)
-    trial: Any = SimpleNamespace(used=np.array([used]), rub=rub, relative=relative)
+    ledger, worst, pull = np.arange(13.0), np.zeros(10), np.full(4, 9.0)
+    work: Any = SimpleNamespace(ledger=ledger, worst=worst, pull=pull, moved=moved, u=np.zeros(4))
+    shut = np.array([[0.0, 0.0, -0.02]])  # its wall sinks, its block stays
+    trial: Any = SimpleNamespace(used=np.array([used]), rub=rub, relative=relative, shut=shut)
     add_multiplier_energies(work, touch, trial, Law(KN, KS, MU, 1.0))
     rubs = {STICK: -KS * spring[0], SLIDE: -rub[0], OPEN: 0.0 * UP}[used]
     force, work = rubs + 7.0 * UP, float(rubs @ (way * RIGHT))

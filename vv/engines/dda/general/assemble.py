@@ -1,4 +1,4 @@
-"""Assembles inertia, strains and springs into the system of equations of one step; kernels."""
+"""Assembles inertia, strains and springs into the equations of one step, or of Newton; kernels."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.setting import Law, Part, Setting, Work
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.kernels.arrays import smaller
-from vv.engines.kernels.compiled import lent
+from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot
 from vv.scene import Vector
 
@@ -57,6 +57,64 @@ def assemble_stiffness(
                         two = at(touch.field[k], j)
                         press = (kn - shear) * along * dot(two, n)
                         matrix[a, b] += press + shear * dot(one, two)
+
+
+@inlined
+def force_decrease(
+    n: Triple,
+    direction: Triple,
+    state: int,
+    turn: float,
+    kn: float,
+    ks: float,
+    mu: float,
+    opened: float,
+    flat: Triple,
+) -> Triple:
+    """The decrease of a contact's force [N] as it opens [m] and slips by `flat` [m].
+
+    turn: mu N/|trial| [N/m].
+    """
+    fall = add_scaled(NOWHERE, kn * opened, n)
+    if state == STICK:
+        return add_scaled(fall, ks, flat)
+    fall = add_scaled(fall, -mu * kn * opened, direction)
+    return add_scaled(fall, turn, add_scaled(flat, -dot(direction, flat), direction))
+
+
+@lent
+def assemble_tangent(
+    touch: Touch, turn: Vector, work: Work, setting: Setting, law: Law, part: Part
+) -> None:
+    """Fill the matrix in its profile: inertia, strains, and derivatives of contact forces.
+
+    turn: (c,) see `force_decrease`.
+    """
+    matrix, first, mass = work.matrix, work.first, work.mass
+    bodies, elastic, kn, ks, mu = setting.bodies, setting.elastic, law.kn, law.ks, law.mu
+    scale = part.weight / (part.length * part.length)
+    for a in range(len(first)):
+        for b in range(first[a], a + 1):
+            matrix[a, b] = matrix[b, a] = 0.0
+    for i in range(len(bodies.mass)):
+        begin, end = bodies.start[i], bodies.start[i + 1]
+        for a in range(begin, end):
+            for b in range(begin, end):
+                matrix[a, b] = scale * mass[a, b - begin] + elastic[a, b - begin]
+    for k in range(len(touch.key)):
+        if touch.state[k] != OPEN:
+            n, direction = at(touch.normal, k), at(touch.direction, k)
+            for j in range(touch.columns[k]):
+                one = at(touch.field[k], j)
+                along = dot(one, n)
+                flat = add_scaled(one, -along, n)
+                fall = force_decrease(
+                    n, direction, touch.state[k], turn[k], kn, ks, mu, along, flat
+                )
+                for m in range(touch.columns[k]):
+                    matrix[touch.column[k, m], touch.column[k, j]] += dot(
+                        at(touch.field[k], m), fall
+                    )
 
 
 @lent

@@ -8,7 +8,7 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.algebra.linear import factorise, substitute
 from vv.engines.dda.general.assemble import assemble_stiffness, contact_force, fill_profile
 from vv.engines.dda.general.bodies import Bodies, Motion, times_blocks
-from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.contact import Touch, relative_motion
 from vv.engines.dda.general.newton import newton
 from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import OPEN, SLIDE, respond
@@ -117,9 +117,7 @@ def respond_all(
     fresh, ended = False, True
     for k in range(len(used)):
         n = at(touch.normal, k)
-        moves = add_scaled(NOWHERE, -1.0, at(trial.shut, k))
-        for m in range(touch.columns[k]):
-            moves = add_scaled(moves, u[touch.column[k, m]], at(touch.field[k], m))
+        moves = relative_motion(k, touch, u, trial.shut)
         opened = dot(moves, n)
         slip, taken = add_scaled(moves, -opened, n), NOWHERE
         if used[k] == SLIDE:

@@ -57,7 +57,7 @@ def move_blocks(
     Every `steps.stride` steps a row is written: path (k, b, 21) of the observed blocks:
     displacement, velocity, strain tensor, force of contacts and shaking and its impulse since
     t = 0. The force is that of the step before the row; in the first row it is that of the first
-    step. energy (k, 13) and report (k, 9): see `energy.py`.
+    step. energy (k, 13) and report (k, 10): see `energy.py`.
     """
     bodies, done = setting.bodies, -steps.settling
     copy_motion(motion, initial)

@@ -81,7 +81,7 @@ class General:
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """The arrays that the kernel fills, and the blocks that it observes."""
-        energy, report = np.empty((rows, 13)), np.empty((rows, 9))
+        energy, report = np.empty((rows, 13)), np.empty((rows, 10))
         return np.empty((rows, len(watched), 21)), energy, report, np.array(watched, np.int64)
 
     def arguments(self, steps: Steps, law: Springs) -> tuple[Any, ...]:

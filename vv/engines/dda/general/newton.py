@@ -11,78 +11,16 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.dda.general.algebra.linear import back, eliminate
+from vv.engines.dda.general.assemble import assemble_tangent, force_decrease
 from vv.engines.dda.general.bodies import times_blocks
-from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.contact import Touch, opening, relative_motion
 from vv.engines.dda.general.setting import Law, Part, Setting, Trial, Work
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import LEAST
 from vv.engines.kernels.arrays import numbers, zero_numbers
-from vv.engines.kernels.compiled import called, inlined, lent
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
-
-
-@inlined
-def force_decrease(
-    n: Triple,
-    direction: Triple,
-    state: int,
-    turn: float,
-    kn: float,
-    ks: float,
-    mu: float,
-    a: Triple,
-) -> Triple:
-    """The decrease of a contact's force [N] for a relative displacement a [m].
-
-    turn: ks mu N/|trial| [N/m].
-    """
-    opening = dot(n, a)
-    flat = add_scaled(a, -opening, n)
-    fall = add_scaled(NOWHERE, kn * opening, n)
-    if state == STICK:
-        return add_scaled(fall, ks, flat)
-    fall = add_scaled(fall, -mu * kn * opening, direction)
-    return add_scaled(fall, turn, add_scaled(flat, -dot(direction, flat), direction))
-
-
-@lent
-def tangent(touch: Touch, turn: Vector, work: Work, setting: Setting, law: Law, part: Part) -> None:
-    """Fill the matrix in its profile: inertia, strains, and derivatives of contact forces.
-
-    turn: (c,) see `force_decrease`.
-    """
-    matrix, first, mass = work.matrix, work.first, work.mass
-    bodies, elastic, kn, ks, mu = setting.bodies, setting.elastic, law.kn, law.ks, law.mu
-    scale = part.weight / (part.length * part.length)
-    for a in range(len(first)):
-        for b in range(first[a], a + 1):
-            matrix[a, b] = matrix[b, a] = 0.0
-    for i in range(len(bodies.mass)):
-        begin, end = bodies.start[i], bodies.start[i + 1]
-        for a in range(begin, end):
-            for b in range(begin, end):
-                matrix[a, b] = scale * mass[a, b - begin] + elastic[a, b - begin]
-    for k in range(len(touch.key)):
-        if touch.state[k] != OPEN:
-            n, direction = at(touch.normal, k), at(touch.direction, k)
-            for j in range(touch.columns[k]):
-                fall = force_decrease(
-                    n, direction, touch.state[k], turn[k], kn, ks, mu, at(touch.field[k], j)
-                )
-                for m in range(touch.columns[k]):
-                    matrix[touch.column[k, m], touch.column[k, j]] += dot(
-                        at(touch.field[k], m), fall
-                    )
-
-
-@lent
-def relative_motion(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
-    """The displacement [m] of the second body of contact k relative to the first, for d (q,)."""
-    moves = add_scaled(NOWHERE, -1.0, at(shut, k))
-    for m in range(touch.columns[k]):
-        moves = add_scaled(moves, d[touch.column[k, m]], at(touch.field[k], m))
-    return moves
 
 
 @called
@@ -102,7 +40,8 @@ def residual_energy(
     for a in range(q):
         left[a] = scale * left[a] + strained[a] - constant[a]
     for k in range(len(touch.key)):
-        pull = respond_exactly(k, touch, turn, relative_motion(k, touch, d, shut), law)
+        moves, opened = relative_motion(k, touch, d, shut), opening(k, touch, d, shut)
+        pull = respond_exactly(k, touch, turn, moves, opened, law)
         for m in range(touch.columns[k]):
             left[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
     total = 0.0
@@ -113,11 +52,15 @@ def residual_energy(
 
 
 @lent
-def respond_exactly(k: int, touch: Touch, turn: Vector, moves: Triple, law: Law) -> Triple:
-    """Set contact k to the state that the law gives for its displacement [m]; return its force."""
+def respond_exactly(
+    k: int, touch: Touch, turn: Vector, moves: Triple, opened: float, law: Law
+) -> Triple:
+    """Set contact k to the state that the law gives for its displacement [m]; return its force.
+
+    opened: the part of `moves` along its normal, see `opening`.
+    """
     kn, ks, mu = law.kn, law.ks, law.mu
     n = at(touch.normal, k)
-    opened = dot(moves, n)
     trial = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
     push, length = -kn * (touch.gap[k] + opened), np.sqrt(dot(trial, trial))
     now, direction, turn[k] = STICK, NOWHERE, 0.0
@@ -145,9 +88,9 @@ def newton(
     q, d, shut, tolerance = len(work.u), work.u, trial.shut, setting.choices.tolerance
     ahead, halved, turn = numbers(q), numbers(q), zero_numbers(len(touch.key))
     left = residual_energy(d, touch, turn, shut, work, setting, law, part)
-    ended, solved = False, 0
+    ended, solved, share = False, 0, 1.0
     while not ended and solved < setting.choices.newton:
-        tangent(touch, turn, work, setting, law, part)
+        assemble_tangent(touch, turn, work, setting, law, part)
         eliminate(work.matrix, work.first)
         fill_tangent_right(work, touch, trial, turn, law)
         back(work.matrix, work.first, work.right, ahead)
@@ -163,7 +106,23 @@ def newton(
         for a in range(q):
             d[a] = ahead[a] if share == 1.0 else halved[a]
         left = now
+    if share < 1.0:
+        assume_present_states(trial, touch, d, law.mu)
     return ended, solved
+
+
+@lent
+def assume_present_states(trial: Trial, touch: Touch, d: Vector, mu: float) -> None:
+    """Fill a trial with unknowns d (q,) and the states and friction that the law gives for them.
+
+    After an increment that was halved, which no solution of the equations assumed. What is left
+    violates the equations of motion, and works and losses are those of the displacements made.
+    """
+    for k in range(len(trial.used)):
+        trial.used[k] = touch.state[k]
+        put(trial.relative, k, relative_motion(k, touch, d, trial.shut))
+        friction = mu * touch.push[k] if touch.state[k] == SLIDE else 0.0
+        put(trial.rub, k, add_scaled(NOWHERE, friction, at(touch.direction, k)))
 
 
 @lent
@@ -175,11 +134,12 @@ def fill_tangent_right(work: Work, touch: Touch, trial: Trial, turn: Vector, law
     for k in range(len(used)):
         used[k] = touch.state[k]
         if used[k] != OPEN:
-            n, direction = at(touch.normal, k), at(touch.direction, k)
-            still = add_scaled(
-                add_scaled(at(touch.spring, k), touch.gap[k], n), -1.0, at(trial.shut, k)
+            n, direction, shut = at(touch.normal, k), at(touch.direction, k), at(trial.shut, k)
+            closing = dot(shut, n)
+            flat = add_scaled(at(touch.spring, k), -1.0, add_scaled(shut, -closing, n))
+            pull = force_decrease(
+                n, direction, used[k], turn[k], law.kn, law.ks, law.mu, touch.gap[k] - closing, flat
             )
-            pull = force_decrease(n, direction, used[k], turn[k], law.kn, law.ks, law.mu, still)
             for m in range(touch.columns[k]):
                 right[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
 
@@ -190,7 +150,7 @@ def fill_trial(trial: Trial, touch: Touch, d: Vector, turn: Vector, law: Law) ->
     for k in range(len(turn)):
         n, direction = at(touch.normal, k), at(touch.direction, k)
         moves = relative_motion(k, touch, d, trial.shut)
-        opened, taken = dot(moves, n), NOWHERE
+        opened, taken = opening(k, touch, d, trial.shut), NOWHERE
         if trial.used[k] == SLIDE:
             taken = add_scaled(NOWHERE, -law.mu * law.kn * (touch.gap[k] + opened), direction)
             stretch = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))

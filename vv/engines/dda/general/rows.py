@@ -47,7 +47,7 @@ def write_row(
     path: Vector, energy: Vector, report: Vector, watched: Index, work: Work, bodies: Bodies,
     motion: Motion,
 ) -> None:  # fmt: skip
-    """Write a row: path (b, 21), energy (13,), report (9,)."""
+    """Write a row: path (b, 21), energy (13,), report (10,)."""
     origin, pressed, given = work.origin, work.pressed, work.given
     tensor = rows(3)
     for b in range(len(watched)):

@@ -84,8 +84,8 @@ class Work(NamedTuple):
     predictor: (q,) see `inertia`; rate: (q,) accelerations; outer, turn, pull: (q,) generalised
     forces of loads, of rotation alone, and of contacts; flow: (q,) for products.
 
-    ledger: (13,), worst: (9,) see `energy.py`; funds: (4,) see `step.py`; origin: (n, 3) centres at
-    t = 0 [m]; pressed, given: (n, 3) see `fill_forces`.
+    ledger: (13,), worst: (10,) see `energy.py`; funds: (4,) see `step.py`; origin: (n, 3) centres
+    at t = 0 [m]; pressed, given: (n, 3) see `fill_forces`.
     """
 
     shift: Vector

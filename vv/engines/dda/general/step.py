@@ -39,6 +39,7 @@ from vv.engines.dda.general.energy import (
     NORMAL,
     NUMERICAL,
     PUT_IN,
+    QUICKEST,
     SHAKING,
     SHEAR,
     SOLVED,
@@ -208,6 +209,7 @@ def displaced(
     displace(motion, setting.bodies, setting.shapes, work.d, choices.terms, choices.follow)
     store_all(work, touch, setting, motion)
     if since_start:
+        work.worst[QUICKEST] = larger(work.worst[QUICKEST], ledger[KINETIC])
         works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
         funds[WORKED] = larger(funds[WORKED], works)
         funds[LIMIT] = GAIN * (funds[PUT_IN] + funds[WORKED]) + funds[SPARE]

@@ -78,7 +78,8 @@ def keep_longer(
     for a in range(bodies.start[i], bodies.start[i + 1]):
         line = at(bodies.line, a)
         part = add_scaled(part, dot(line, n), line)
-    part = add_scaled(part, -dot(part, at(one, i)), at(one, i))
-    part = add_scaled(part, -dot(part, at(two, i)), at(two, i))
+    for _ in range(2):  # what rounding left of a part is small beside all, and not beside the rest
+        part = add_scaled(part, -dot(part, at(one, i)), at(one, i))
+        part = add_scaled(part, -dot(part, at(two, i)), at(two, i))
     if dot(part, part) > dot(at(longest, i), at(longest, i)):
         put(longest, i, part)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.dda.general.bodies import Motion
-from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.contact import Touch, opening
 from vv.engines.dda.general.setting import Law, Trial
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import FIRM, HELD
@@ -36,20 +36,6 @@ def slip_rounding(k: int, touch: Touch, u: Vector, shut: Vector) -> float:
     for m in range(touch.columns[k]):
         terms += abs(u[touch.column[k, m]]) * length(at(touch.field[k], m))
     return float((1.0 + touch.columns[k]) * EPS * terms)
-
-
-@lent
-def opening(k: int, touch: Touch, u: Vector, shut: Vector) -> float:
-    """By how much contact k opens for unknowns u (q,) [m], without the rounding of its slip.
-
-    A step of 5 mm along a groove is rounded by 1e-18 m; springs that support a wedge of 1e-7 rad in
-    steps of 1 ms turn that into 1e-5 of the force on a side.
-    """
-    n = at(touch.normal, k)
-    opened = -dot(at(shut, k), n)
-    for m in range(touch.columns[k]):
-        opened += u[touch.column[k, m]] * dot(at(touch.field[k], m), n)
-    return opened
 
 
 @lent

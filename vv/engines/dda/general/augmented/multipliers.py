@@ -19,7 +19,13 @@ from vv.engines.dda.general.augmented.forces import (
     take_over_forces,
 )
 from vv.engines.dda.general.bodies import Bodies, Motion
-from vv.engines.dda.general.contact import States, Touch, restore_states, states_of
+from vv.engines.dda.general.contact import (
+    States,
+    Touch,
+    opening,
+    restore_states,
+    states_of,
+)
 from vv.engines.dda.general.energy import (
     CREATED,
     DEEPEST,
@@ -120,12 +126,12 @@ def iterate_multipliers(
         still, more, trial = iterate(touch, work, setting, motion, law, part)
         solved, passes = solved + more, passes + 1
         force, off, turns = take_over_forces(touch, trial, gap, work.u, law)
-        slow, close = off > SLOW * before, off <= HELD * force
+        slow, close = off > SLOW * before, still and off <= HELD * force
         undone = not still and before <= firm * blur
         even = grow == 1.0 or turns  # else springs that stiffened may bear more, and converge
         stuck = undone or (still and even and STUCK * before < off <= firm * blur)
         ended = close or (stuck and (not turns or passes >= PATIENT))
-        if ended and undone and not close:
+        if ended and undone:
             go_back(touch, kept, work, u)
             trial = last
         if ended or passes >= most or (anew and not still):
@@ -158,7 +164,7 @@ def add_multiplier_energies(work: Work, touch: Touch, trial: Trial, law: Law) ->
         pull[a] = 0.0
     for k in range(len(touch.key)):
         n, push, rubs = at(touch.normal, k), touch.push[k], NOWHERE
-        opened = dot(at(relative, k), n)
+        opened = opening(k, touch, work.u, trial.shut)
         slip = add_scaled(at(relative, k), -opened, n)
         if used[k] == STICK:
             rubs = add_scaled(NOWHERE, -ks, at(touch.spring, k))
