@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from vv.engines.exact.slide.clock import ORDER as HIGHEST
-from vv.engines.exact.slide.kernel import _expand
+from vv.engines.exact.slide.clock import Clock
 from vv.engines.exact.turn.kernel import LAST, LONGEST, _end_of_piece, _step_of_slip
 from vv.engines.exact.turn.series import ORDER
 from vv.engines.exact.turn.slipping import SLIP as WAY
@@ -59,12 +59,11 @@ def test_a_step_of_slip_is_so_long_that_the_last_terms_are_rounding(
 
 def test_all_terms_of_a_drive_are_those_of_its_sines() -> None:
     """The term n of sin(a + w (part + s)) is w^n/n! sin(a + w part + n pi/2), to the last one."""
-    rows = np.random.default_rng(2).normal(size=(4, 3))
-    angle, turn, part = np.array([0.3, -1.1]), np.array([1.5, 0.8]), 0.4
-    known = np.full((4, HIGHEST + 1), np.nan)
-    _expand(rows, angle, turn, part, known)
+    row, phase = np.random.default_rng(2).normal(size=3), np.array([0.3, -1.1])
+    clock, part = Clock.of(np.array([1.0, 0.4]), phase, 5.0), 0.4
+    found = clock.taylor(row) @ clock.waves((0, part))
     n = np.arange(HIGHEST + 1)
-    size = turn[:, None] ** n / [float(factorial(k)) for k in n]
-    due = rows[:, 1:] @ (size * np.sin((angle + turn * part)[:, None] + n * np.pi / 2))
-    due[:, 0] += rows[:, 0]
-    assert known == pytest.approx(due, rel=1e-11, abs=0.0)  # the last ones are near 1e-29
+    size = clock.turn[:, None] ** n / [float(factorial(k)) for k in n]
+    due = row[1:] @ (size * np.sin((phase + clock.turn * part)[:, None] + n * np.pi / 2))
+    due[0] += row[0]
+    assert found == pytest.approx(due, rel=1e-11, abs=0.0)  # the last ones are near 1e-29

@@ -1,130 +1,142 @@
-"""Computes the motion of a slider by Taylor steps within quarter periods, from event to event."""
+"""Computes the motion of a slider in closed form within quarter periods, from event to event."""
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-
 from vv.engines.exact.guards import GUARD_ROUNDING
-from vv.engines.exact.modes import BACKWARD, FORWARD, STUCK, Index, sign_of
-from vv.engines.exact.roots import first_descent
-from vv.engines.exact.slide.clock import ORDER
-from vv.engines.kernels.compiled import compiled, lent
+from vv.engines.exact.modes import BACKWARD, FORWARD, STUCK, Index
+from vv.engines.exact.slide.arc import arc, first_fall
+from vv.engines.kernels.compiled import compiled_to_branch, inlined
 from vv.scene import Vector
 
-ENDED, FULL, CROWDED = range(3)
-DRIVE, RELATIVE, FRICTION, BASE = range(4)
+FULL, CROWDED = -1, -2  # in place of the number of pieces; CROWDED minus it where events crowd
+SLIPS, STARTS, PULLS, BASE, VELOCITY = 0, 2, 4, 7, 8  # rows; of two, the first is for FORWARD
+NO_FRICTION = 2  # of PULLS
+EVEN, ODD = 2, 3  # rows of work, after waves
 
 
-@compiled
+@compiled_to_branch
 def follow_line(
     rows: Vector,
-    angles: Vector,
+    bounds: Vector,
+    waves: Vector,
     turn: Vector,
-    rate: float,
-    last: float,
-    initial: tuple[float, int, float],
-    most: int,
-    starts: Vector,
+    given: Vector,
+    work: Vector,
+    pieces: Vector,
     states: Index,
-    series: Vector,
-) -> tuple[int, int]:
-    """The outcome and the number p of pieces.
+) -> int:
+    """The number p of pieces, or a negative number for the reason of a failure.
 
-    rows (4, 1 + k): the acceleration of the body along the slip without friction, the same relative
-    to the wall, mu times the pressing [m/s2], and the position of the wall [m], each as a constant
-    and amplitudes of k sines. angles (cells, k), turn (k,) [rad]: the phases of the sines at the
-    start of each cell, and their change in a cell. rate: cells per second; last: the part of the
-    last cell at which the motion ends. initial: speed [m/s], state and fastest speed [m/s] at t =
-    0. most: number of events allowed in a cell. Filled: starts (room, 3), the cell and part at
-    which a piece starts and its length in cells; states (room,); series (room, ORDER + 1) [m]. It
-    is one function since each piece updates nearly all of its variables.
+    rows (9, 1 + k), each a constant and amplitudes of k sines: two rates at which the velocity of a
+    slip changes, times its sign, and two margins before a start; these four [m/s] per cell, with
+    bounds (4,) of their third and fourth derivatives. Accelerations of the body that slips forward,
+    backward or without friction [m/s2]; the position of the wall [m], and its velocity [m/s] as
+    amplitudes of cosines. waves (cells, 2, k): sines and cosines at the start of each cell; turn
+    (k,) [rad]: the change of their phases in a cell. given (7,): cells per second; the part of the
+    last cell at which the motion ends; speed [m/s], state and fastest speed [m/s] at t = 0; number
+    of events allowed in a cell; whether there is friction. work (4, k). Filled: pieces (room, 5),
+    the cell and part at which a piece starts, its length in cells, and place [m] and speed [m/s] at
+    its start; states (room,). It is one function since each piece updates nearly all of its
+    variables.
     """
-    speed, state, fastest = initial
+    rate, last, speed, state = given[0], given[1], given[2], int(given[3])
+    fastest, most, rubs = given[4], given[5], given[6] > 0.0
     place, cell, part, count, events = 0.0, 0, 0.0, 0, 0
-    known, guard = np.empty((4, ORDER + 1)), np.empty(ORDER + 1)
-    rubs = np.abs(rows[FRICTION]).max() > 0
-    while cell < len(angles):
-        if count == len(starts):
-            return FULL, count
-        whole = last if cell == len(angles) - 1 else 1.0
-        y, end, after = series[count], whole - part, state
-        _expand(rows, angles[cell], turn, part, known)
-        _place(known, state, rubs, place, speed, rate, y)
+    over = 1.0 / rate
+    for i in range(len(turn)):
+        work[EVEN, i], work[ODD, i] = arc(turn[i])
+    while cell < len(waves):
+        if count == len(pieces):
+            return FULL
+        end, after = (last if cell == len(waves) - 1 else 1.0) - part, state
+        if part == 0.0:
+            for i in range(len(turn)):
+                work[0, i], work[1, i] = waves[cell, 0, i], waves[cell, 1, i]
         band = GUARD_ROUNDING * fastest
-        if state != STUCK:
-            _slipping(known, y, sign_of(state) * rate, guard)
-            fall = first_descent(guard, band, end)
-            if fall <= end:
-                end, after = fall, STUCK
-        elif rubs:
-            for sign in (1.0, -1.0):
-                for n in range(ORDER + 1):
-                    guard[n] = (known[FRICTION, n] - sign * known[RELATIVE, n]) / rate
-                fall = first_descent(guard, band, end)
-                if fall <= end:
-                    end, after = fall, FORWARD if sign > 0 else BACKWARD
-        if end > 0:
-            starts[count, 0], starts[count, 1], starts[count, 2] = cell, part, end
+        if rubs:
+            end, after = _event(rows, bounds, turn, work, state, speed, band, end)
+        if end > 0.0:
+            piece = pieces[count]
+            piece[0], piece[1], piece[2], piece[3], piece[4] = cell, part, end, place, speed
             states[count] = state
             count += 1
-            place, speed = _advance(y, end, rate)
+            way, speed = _advance(rows, turn, work, state, rubs, over, end, speed)
+            place += way
             fastest = max(fastest, abs(speed))
         if after == state:
             cell, part, events = cell + 1, 0.0, 0
         else:
             part, state, events = part + end, after, events + 1
             if events > most:
-                return CROWDED, count
-    return ENDED, count
+                return CROWDED - count
+    return count
 
 
-@lent
-def _expand(rows: Vector, angle: Vector, turn: Vector, part: float, known: Vector) -> None:
-    """Fill known (4, ORDER + 1) with the series of the rows about a part of a cell."""
-    known[:, :] = 0.0
-    for r in range(4):
-        known[r, 0] = rows[r, 0]
+@inlined
+def _event(
+    rows: Vector,
+    bounds: Vector,
+    turn: Vector,
+    work: Vector,
+    state: int,
+    speed: float,
+    band: float,
+    end: float,
+) -> tuple[float, int]:
+    """The part of a cell until the state changes, at most `end`, and the state then."""
+    wave = work[:2]
+    if state != STUCK:
+        slip, row = speed, state - FORWARD
+        for i in range(len(turn)):
+            slip -= rows[VELOCITY, 1 + i] * wave[1, i]
+        slip = slip if state == FORWARD else -slip
+        fall = first_fall(True, slip, rows[SLIPS + row], bounds[SLIPS + row], turn, wave, band, end)
+        return (fall, STUCK) if fall <= end else (end, state)
+    after = STUCK
+    for way in (FORWARD, BACKWARD):
+        row = STARTS + way - FORWARD
+        margin = rows[row, 0]
+        for i in range(len(turn)):
+            margin += rows[row, 1 + i] * wave[0, i]
+        if margin <= -0.5 * band:
+            return 0.0, way
+        fall = first_fall(False, 0.0, rows[row], bounds[row], turn, wave, band, end)
+        if fall <= end:
+            end, after = fall, way
+    return end, after
+
+
+@inlined
+def _advance(
+    rows: Vector,
+    turn: Vector,
+    work: Vector,
+    state: int,
+    rubs: bool,
+    over: float,
+    x: float,
+    speed: float,
+) -> tuple[float, float]:
+    """The way [m] of a piece of length x and the speed [m/s] at its end; waves move there."""
+    sticks, pull = rubs and state == STUCK, PULLS + NO_FRICTION
+    if state != STUCK:
+        pull = PULLS + state - FORWARD
+    gained, way = rows[pull, 0] * x, 0.5 * rows[pull, 0] * x * x
+    if sticks:
+        gained = way = 0.0
     for i in range(len(turn)):
-        now, size = angle[i] + turn[i] * part, 1.0
-        sine, cosine = math.sin(now), math.cos(now)
-        for n in range(ORDER + 1):
-            value = size * (cosine if n % 2 else sine) * (-1.0 if n % 4 > 1 else 1.0)
-            for r in range(4):
-                known[r, n] += rows[r, 1 + i] * value
-            size *= turn[i] / (n + 1)
-
-
-@lent
-def _place(
-    known: Vector, state: int, rubs: bool, place: float, speed: float, rate: float, y: Vector
-) -> None:
-    """Fill y (ORDER + 1,), the series of the body's position [m], whether it slips or sticks."""
-    y[0] = place
-    if rubs and state == STUCK:
-        for n in range(1, ORDER + 1):
-            y[n] = known[BASE, n]
-        return
-    y[1] = speed / rate
-    for n in range(ORDER - 1):
-        pull = known[DRIVE, n] - sign_of(state) * known[FRICTION, n]
-        y[n + 2] = pull / (rate * rate * (n + 1) * (n + 2))
-
-
-@lent
-def _slipping(known: Vector, y: Vector, scale: float, guard: Vector) -> None:
-    """Fill guard (ORDER + 1,), the series of the velocity of slip [m/s] times its initial sign."""
-    for n in range(ORDER):
-        guard[n] = scale * (n + 1) * (y[n + 1] - known[BASE, n + 1])
-    guard[ORDER] = 0.0
-
-
-@lent
-def _advance(y: Vector, x: float, rate: float) -> tuple[float, float]:
-    """Position [m] and speed [m/s] at the part x of a piece."""
-    place = moving = 0.0
-    for n in range(ORDER, 0, -1):
-        place = place * x + y[n]
-        moving = moving * x + n * y[n]
-    return y[0] + place * x, moving * rate
+        angle, sine, cosine = turn[i] * x, work[0, i], work[1, i]
+        even, odd = (work[EVEN, i], work[ODD, i]) if x == 1.0 else arc(angle)
+        risen, fallen = angle - angle * angle * angle * odd, angle * angle * even
+        work[0, i] = sine - sine * fallen + cosine * risen
+        work[1, i] = cosine - cosine * fallen - sine * risen
+        if sticks:
+            way += rows[BASE, 1 + i] * (cosine * risen - sine * fallen)
+            gained += rows[VELOCITY, 1 + i] * work[1, i]
+        else:
+            size = rows[pull, 1 + i] * x
+            gained += size * (sine * (1.0 - angle * angle * odd) + cosine * angle * even)
+            way += size * x * (sine * even + cosine * angle * odd)
+    if sticks:
+        return way, gained
+    return (speed * x + way * over) * over, speed + gained * over

@@ -59,12 +59,12 @@ def _works(path: Slide) -> tuple[Vector, Vector, Vector]:
     slider = path.slider
     sign = np.array([state.sign for state in path.states], float)[:, None]
     pressing, relative_drive = (
-        _series_of_row(path, slider.pressing),
-        _series_of_row(path, slider.relative_drive),
+        path.series_of_row(slider.pressing),
+        path.series_of_row(slider.relative_drive),
     )
-    wall, lift = (_rate(path, _series_of_row(path, _row(slider.base, a))) for a in _axes(path))
+    wall, lift = (_rate(path, path.series_of_row(_row(slider.base, a))) for a in _axes(path))
     speed = _rate(path, path.series)
-    shaken, lifted = (_series_of_row(path, _row(slider.shaking, a)) for a in _axes(path))
+    shaken, lifted = (path.series_of_row(_row(slider.shaking, a)) for a in _axes(path))
     rub = np.where(
         sign == 0, -relative_drive if slider.mu > 0 else 0.0, -sign * slider.mu * pressing
     )
@@ -83,11 +83,6 @@ def _axes(path: Slide) -> tuple[Vector, Vector]:
 def _row(amplitude: Vector, axis: Vector) -> Vector:
     """The row (1 + k,) of sines of amplitudes (k, 3), projected on an axis."""
     return np.concatenate(((0.0,), amplitude @ axis))
-
-
-def _series_of_row(path: Slide, row: Vector) -> Vector:
-    """Taylor coefficients (p, order + 1) of row[0] + row[1:] @ sines in each piece."""
-    return np.asarray(path.waves[:-1] @ path.clock.taylor(row).T)
 
 
 def _rate(path: Slide, series: Vector) -> Vector:

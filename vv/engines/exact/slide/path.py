@@ -43,6 +43,10 @@ class Slide:
         starts = zip(self.cell.tolist(), self.part.tolist(), strict=True)
         return np.array([self.clock.waves(instant) for instant in (*starts, self.last)])
 
+    def series_of_row(self, row: Vector) -> Vector:
+        """Taylor coefficients (p, order + 1) of row[0] + row[1:] @ sines in each piece."""
+        return np.asarray(self.waves[:-1] @ self.clock.taylor(row).T)
+
     def __len__(self) -> int:
         return len(self.end)
 

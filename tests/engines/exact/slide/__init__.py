@@ -1,0 +1,1 @@
+"""Claims about vv/engines/exact/slide/."""
