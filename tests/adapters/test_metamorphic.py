@@ -97,6 +97,7 @@ def ran(adapter: Adapter, scheme: Scheme, asks: Sequence[Ask], folder: Path) -> 
 KINDS = list(dict.fromkeys(twin.kind for twin in TWINS))
 
 
+@pytest.mark.shows("by 9e-4 of the answer, and by 5e-2 where friction lags")
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("label", SCHEMES)
 def test_the_answer_is_the_same(label: str, kind: str, answers: Answers) -> None:
@@ -111,6 +112,7 @@ def test_the_answer_is_the_same(label: str, kind: str, answers: Answers) -> None
         pytest.skip("refused or listed, in every scene")
 
 
+@pytest.mark.shows("by 9e-4 of the answer, and by 5e-2 where friction lags")
 @pytest.mark.parametrize("key", FARTHER, ids=" ".join)
 def test_what_is_listed_still_goes_too_far(key: tuple[str, str, str], answers: Answers) -> None:
     """An entry that is no longer needed must go."""
@@ -121,6 +123,41 @@ def test_what_is_listed_still_goes_too_far(key: tuple[str, str, str], answers: A
             if one.status is Status.RAN:
                 beyond.append(apart(twin, one, other) / twin.within)
     assert max(beyond) > 1.0
+
+
+@pytest.mark.shows(
+    "LIGGGHTS ends with a mesh error when lengths are given in units of 1e6 m",
+    "abort in units of 1e-6 m",
+)
+@pytest.mark.parametrize(
+    ("label", "name", "words"),
+    [
+        ("liggghts/default", "length x 1e-06", "Mesh error"),
+        ("yade/polyhedra", "length x 1e+06", "ended early: signal"),
+    ],
+)
+def test_programs_end_in_units_that_they_are_not_asked(
+    label: str, name: str, words: str, tmp_path: Path
+) -> None:
+    """Limits of distance are fixed in their sources; 1e-6 is the length in units of 1e6 m."""
+    adapter, scheme = SCHEMES[label]
+    require(adapter)
+    (twin,) = (one for one in TWINS if (one.name, one.kind) == ("slope", name))
+    assert twin not in asked(label)
+    (run,) = ran(adapter, scheme, [twin.other], tmp_path)
+    assert run.status is Status.ERROR
+    assert words in run.reason
+
+
+@pytest.mark.shows("YADE's polyhedra are 2 to 6 % off when lengths are given in units of 1e6 m")
+def test_polyhedra_of_yade_are_2_to_6_per_cent_off_in_units_of_1e6_m(answers: Answers) -> None:
+    off = []
+    for twin in (twin for twin in asked("yade/polyhedra") if twin.kind == "length x 1e-06"):
+        one, other = (answers("yade/polyhedra")[id(ask)] for ask in (twin.ask, twin.other))
+        if one.status is Status.RAN:
+            off.append(apart(twin, one, other))
+    assert min(off) == pytest.approx(0.02, abs=5e-3)
+    assert max(off) == pytest.approx(0.06, abs=5e-3)
 
 
 def test_a_force_that_does_not_turn_and_a_wrong_unit_are_seen() -> None:

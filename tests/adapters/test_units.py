@@ -143,6 +143,7 @@ def test_decimal_units_change_no_more_than_rounding_does(
     assert apart(one, other, DECIMAL) <= max(1e-12, 30 * EPS * _places(here, one), 30 * rounded)
 
 
+@pytest.mark.shows("In other units it moves alike")
 @pytest.mark.parametrize("units", [DECIMAL, (1e3, 1.0, 1.0), (1.0, 1e3, 1.0), *ROUNDED_ANEW])
 def test_rigid_bears_a_wedge_in_a_groove_of_1e_6_rad_alike_in_all_units(
     units: tuple[float, float, float],

@@ -37,6 +37,7 @@ def test_a_value_is_judged_by_the_band_about_another_code_s_answer(
     assert found.judge is JudgeKind.CODE_TO_CODE
 
 
+@pytest.mark.shows("as code-to-code answers, which are neither errors nor measurements")
 def test_the_distance_from_another_code_is_no_error_and_no_measurement() -> None:
     found = _found(2.01, 0.1)
     assert (found.error, found.tolerance, found.reference) == (None, None, None)

@@ -37,6 +37,7 @@ def test_a_value_is_judged_by_the_band_about_the_measurement(
     assert found.judge is JudgeKind.MEASURED
 
 
+@pytest.mark.shows("with `--set` nothing is compared with it, except measured laws")
 def test_at_other_parameters_only_a_measured_law_has_something_to_say() -> None:
     at_home = _judged(5.0, 0.1)
     judged = [

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-import dataclasses
 import functools
-import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from bench.bounds.sensitivity import answer
 from vv.ask import Ask, Knobs, Ledger, Run, Status
 from vv.case import Level, Norm, Trial
-from vv.codes import Scheme
-from vv.plan.nudged import LAST, Nudge, nudged_scene
+from vv.codes import Adapter, Scheme
 from vv.plan.project import find
 from vv.records.outcomes import Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.record import measured
 
 PROJECT = find(Path(__file__))
-NUDGED = ((8, 8, 0), (1, -1, 0), (-3, 2, 0), (1, -1, 2), (5, -7, 1), (0, 0, 1))
-LACKS = -math.inf
 
 
 @dataclass(frozen=True)
@@ -48,9 +44,20 @@ class Answer:
         return self.run.ledger
 
 
-@functools.cache
-def asked(name: str, scheme: str, at: Knobs | Level | None) -> Answer:
-    """What a scheme answers to CASE:VARIANT NAME=VALUE..., where NAME=VALUE are changes of it.
+class Posed(NamedTuple):
+    """What a scheme is asked, of which case and variant; given: the parameters."""
+
+    case: str
+    variant: str
+    given: Mapping[str, float]
+    trial: Trial
+    adapter: Adapter
+    scheme: Scheme
+    ask: Ask
+
+
+def posed(name: str, scheme: str, at: Knobs | Level | None) -> Posed:
+    """A scheme is asked CASE:VARIANT NAME=VALUE..., where NAME=VALUE are changes of the variant.
 
     A level stands for its last setting, None for the first of the quick level.
     """
@@ -64,21 +71,43 @@ def asked(name: str, scheme: str, at: Knobs | Level | None) -> Answer:
     own = next(one for one in adapter.schemes if one.name == which)
     rungs = trial.study.rungs
     knobs = rungs[at][-1] if isinstance(at, Level) else at or rungs[Level.QUICK][0]
-    ask = trial.study.ask(knobs)
-    return Answer(given, trial, own, ask, answer(adapter, own, ask))
+    return Posed(case, variant, given, trial, adapter, own, trial.study.ask(knobs))
+
+
+@functools.cache
+def asked(name: str, scheme: str, at: Knobs | Level | None) -> Answer:
+    """What a scheme answers to what it is asked, as in `posed`."""
+    one = posed(name, scheme, at)
+    run = answer(one.adapter, one.scheme, one.ask)
+    return Answer(one.given, one.trial, one.scheme, one.ask, run)
 
 
 Figure = Callable[[Answer], float]
 
 
-def error(quantity: str) -> Figure:
+@dataclass(frozen=True)
+class Read:
+    """A figure that a record of a run has too: of a quantity, its value or its largest error."""
+
+    quantity: str
+    name: str
+
+    def __call__(self, answer: Answer) -> float:
+        one = answer.of(self.quantity)
+        return _there(one.value if self.name == VALUE else one.errors[Norm.MAX])
+
+
+VALUE, ERROR = "value", "max error"
+
+
+def error(quantity: str) -> Read:
     """The largest error of a quantity."""
-    return lambda answer: _there(answer.of(quantity).errors[Norm.MAX])
+    return Read(quantity, ERROR)
 
 
-def value(quantity: str) -> Figure:
+def value(quantity: str) -> Read:
     """The value of a quantity."""
-    return lambda answer: _there(answer.of(quantity).value)
+    return Read(quantity, VALUE)
 
 
 def allowed(quantity: str) -> Figure:
@@ -133,38 +162,6 @@ def unaccounted(answer: Answer) -> float:
 def added_by_friction(answer: Answer) -> float:
     """Energy [J] that friction adds, which it should dissipate."""
     return -answer.ledger.terms["friction dissipation"]
-
-
-def most(code: str, figure: Figure) -> Figure:
-    """The largest figure over the scene and what its last digits make of it, of runs that have it.
-
-    For what rounding decides: another machine gives another one of these answers.
-    """
-
-    def largest(answer: Answer) -> float:
-        return max(
-            found for one in _nudged(code, answer) if (found := _if_any(figure, one)) > LACKS
-        )
-
-    return largest
-
-
-def _nudged(code: str, own: Answer) -> Iterator[Answer]:
-    """An answer, and those to the same scene with other last digits."""
-    yield own
-    for mass, gravity, position in NUDGED:
-        nudge = Nudge(mass * LAST, gravity * LAST, position * LAST)
-        ask = dataclasses.replace(own.ask, scene=nudged_scene(own.ask.scene, nudge))
-        run = answer(PROJECT.load_adapter(code), own.scheme, ask)
-        yield dataclasses.replace(own, ask=ask, run=run)
-
-
-def _if_any(figure: Figure, of: Answer) -> float:
-    """The figure; LACKS of a run that did not reach its end and so does not have it."""
-    try:
-        return figure(of)
-    except AssertionError:
-        return LACKS
 
 
 def peak(answer: Answer) -> float:

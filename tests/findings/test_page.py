@@ -1,5 +1,10 @@
-"""Claims about docs/findings.md: each figure is in words that a run, a test or a source shows."""
+"""Claims about docs/findings.md: a run or a test of the suite shows each figure and each sentence.
 
+What shows words of the page has them beside it: a row of a table `FOUND` of this folder, which is
+run, or the mark `shows` of a test anywhere. What sources say and definitions are in `said.py`.
+"""
+
+import ast
 import importlib
 import itertools
 import re
@@ -11,11 +16,10 @@ import pytest
 from typer.core import TyperGroup
 from typer.main import get_command
 
-from bench.findings import SLOW
 from tests import ROOT
 from tests.findings.figures import PROJECT
-from tests.findings.shown_elsewhere import BENCHES, SAID, SAID_WITHOUT_FIGURES, TESTED
-from tests.findings.table import Row
+from tests.findings.said import SAID
+from tests.findings.table import Row, Table
 from vv.case import Level
 from vv.cli import app
 from vv.plan.selection import choose_schemes, named_adapters, select
@@ -25,12 +29,33 @@ BULLETS = [line[2:] for line in PAGE.splitlines() if line.startswith("- ")]
 QUOTED = re.compile(r"`([^`]+)`")
 FIGURE = re.compile(r"(?<![\w.^-])\d")
 ENDS = re.compile(r"\.\)? (?=[A-Z`])")
+MARK = "@pytest.mark.shows("
 HERE = Path(__file__)
 TABLES = sorted(path.stem for path in HERE.parent.glob("test_*.py") if path != HERE)
 MODULES = [importlib.import_module(f"tests.findings.{name}") for name in TABLES]
-RUN = [(told, row) for one in MODULES for told, group in one.FOUND.items() for row in group]
-ROWS = [row for _, row in RUN] + [row for group in SLOW.values() for row in group]
-TOLD = [*(told for told, _ in RUN), *SLOW, *TESTED, *BENCHES, *SAID, *SAID_WITHOUT_FIGURES]
+
+
+def marked() -> Iterator[str]:
+    """The words of the page that tests of the suite are marked to show."""
+    for path in sorted((ROOT / "tests").rglob("test_*.py")):
+        text = path.read_text()
+        if path != HERE and MARK in text:
+            for one in ast.walk(ast.parse(text)):
+                if isinstance(one, ast.FunctionDef) and one.name.startswith("test_"):
+                    yield from told_by(one)
+
+
+def told_by(test: ast.FunctionDef) -> Iterator[str]:
+    """The words in the marks of a test."""
+    for mark in test.decorator_list:
+        if isinstance(mark, ast.Call) and f"@{ast.unparse(mark.func)}(" == MARK:
+            yield from map(ast.literal_eval, mark.args)
+
+
+FOUND: list[Table] = [getattr(one, "FOUND", {}) for one in MODULES]
+RUN = [(told, row) for table in FOUND for told, group in table.items() for row in group]
+ROWS = [row for _, row in RUN]
+TOLD = [*(told for told, _ in RUN), *marked(), *SAID]
 
 
 def commands() -> list[str]:
@@ -81,23 +106,20 @@ def test_each_sentence_is_shown_by_something_or_said_to_be_no_finding() -> None:
 
 @pytest.mark.parametrize("bullet", BULLETS, ids=lambda text: " ".join(text.split()[:6]))
 def test_each_finding_names_what_shows_it(bullet: str) -> None:
-    paths = r"vv run .*|python -m bench\..*|(tests|reference_solutions)/[\w/]*(\.py)?"
+    paths = r"vv run .*|(tests|reference_solutions)/[\w/]*(\.py)?"
     assert any(re.fullmatch(paths, text) for text in QUOTED.findall(bullet))
 
 
 @pytest.mark.parametrize("text", sorted(set(QUOTED.findall(PAGE))))
-def test_files_and_benches_that_are_named_are_there(text: str) -> None:
-    if text.startswith("python -m "):
-        text = f"{text.split()[2].replace('.', '/')}.py"
-    if text.startswith(("tests/", "reference_solutions/", "bench/")):
+def test_files_that_are_named_are_there_and_no_bench_is(text: str) -> None:
+    assert not text.startswith(("python ", "bench/"))
+    if text.startswith(("tests/", "reference_solutions/", "cases/")):
         assert (ROOT / text).exists()
 
 
-@pytest.mark.parametrize("told", TESTED)
-def test_tests_that_show_a_figure_are_there(told: str) -> None:
-    for place in TESTED[told]:
-        path, _, name = place.partition("::")
-        assert re.search(rf"^def {name}\(", (ROOT / path).read_text(), re.MULTILINE)
+def test_figures_are_in_findings_alone() -> None:
+    others = [line for line in PAGE.splitlines() if not line.startswith("- ")]
+    assert not FIGURE.findall("\n".join(others))
 
 
 @pytest.mark.parametrize("command", commands())

@@ -11,16 +11,17 @@ from vv.codes import Adapter
 
 def only_with(adapter: Adapter) -> pytest.MarkDecorator:
     """The mark of a test, or of a module of them, that runs a code."""
-    return pytest.mark.skipif(_excused(adapter), reason=_reason(adapter))
+    return pytest.mark.skipif(excused(adapter), reason=_reason(adapter))
 
 
 def require(adapter: Adapter) -> None:
     """Skip the test or the fixture that calls it."""
-    if _excused(adapter):
+    if excused(adapter):
         pytest.skip(_reason(adapter))
 
 
-def _excused(adapter: Adapter) -> bool:
+def excused(adapter: Adapter) -> bool:
+    """Whether a code is not installed and need not be."""
     required = adapter.name in os.environ.get("VV_REQUIRE", "").split(",")
     return not (adapter.found().installed or required)
 

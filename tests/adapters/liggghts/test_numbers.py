@@ -175,6 +175,7 @@ def test_hertzian_moduli_are_factors_of_kn_and_kt() -> None:
     assert [given["kn"], given["kt"]] == pytest.approx([8e9, 1.6e10])
 
 
+@pytest.mark.shows("Elastic spheres with losses (Tsuji) follow the same law in YADE")
 @pytest.mark.parametrize(
     ("damping", "e"),
     [(0.5, 0.127881), (0.3, 0.335159), (0.1, 0.707351), (0.629, 0.050445)],

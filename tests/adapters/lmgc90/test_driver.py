@@ -140,6 +140,10 @@ def test_a_block_is_pushed_by_weight_beside_9_81_loads_and_its_first_impulse(dri
     assert made["ahead"] == pytest.approx([0.075, 0.0, -0.1])
 
 
+@pytest.mark.shows(
+    "LMGC90 imposes a lock across the plane as a further constraint",
+    "Its adapter omits such locks where nothing pushes in their direction",
+)
 def test_locks_that_nothing_pushes_on_are_left_free_and_shaking_acts_on_mass(driver: Any) -> None:
     shaking = [[[0.5, 0.25, 0.0], 3.0, 0.1]]
     ask = asked(held=[True, False, False], shaking=shaking)
@@ -192,6 +196,10 @@ def test_displacements_are_from_the_start_and_velocities_from_places(
     assert not unwatched[:, 1:].any()
 
 
+@pytest.mark.shows(
+    "a plate that may rotate and slips by more than a quarter of its size would be wrong at any "
+    "step"
+)
 @pytest.mark.parametrize(
     ("way", "said"),
     [

@@ -97,6 +97,7 @@ def test_masses_and_inertias_are_those_of_one_density_to_a_billionth() -> None:
         assert refusals._densities(scene(first, stiff)) is None
 
 
+@pytest.mark.shows("Its adapter omits such locks where nothing pushes in their direction")
 def test_locks_matter_where_weight_loads_or_drives_push_and_in_piles() -> None:
     block = cube("b", 0.5, [0.0, 0.0, 2.5])
     block.mass = 4.0

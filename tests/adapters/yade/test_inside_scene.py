@@ -90,6 +90,7 @@ def test_each_law_of_contact_has_its_parts_and_its_stuff(
         assert (material.young, material.poisson) == (6e6, 0.5)
 
 
+@pytest.mark.shows("Elastic spheres with losses (Tsuji) follow the same law in YADE")
 def test_elastic_contact_is_damped_along_its_normal_only(driver: Any) -> None:
     engines = part(driver, "engines")
     young = dict.fromkeys(("young", "walls_young", "facets_young", "poisson"), 0.25)

@@ -46,6 +46,7 @@ def test_a_pulse_ends_at_the_first_step_at_or_behind_its_end(until: float, last:
     assert plan_of(ball_ask(ball(), shaking=pulse))["ends"] == last
 
 
+@pytest.mark.shows("MindlinPhys takes the effective radius of a sphere and a wall to be R/2")
 def test_walls_and_facets_are_stiffer_so_that_their_contacts_are_those_of_spheres() -> None:
     law = Contact(0.0, mu=0.3, hertz=Hertz(6e9, 1.2e9, 0.25))
     ask = ball_ask(ball(position=[[0.0, 0.2, 0.0]]), UP)

@@ -62,6 +62,7 @@ def test_without_friction_or_overlap_nothing_is_pushed() -> None:
     assert sphere_of(apart)["push"] == [0.0, 0.0, 0.0]
 
 
+@pytest.mark.shows("with a dashpot there is a force, and the slip would stay")
 def test_what_only_touches_is_pushed_where_a_dashpot_would_let_it_keep_a_slip() -> None:
     """Its own push by the dashpot at t = 0, which YADE finds at rest, is part of the impulse."""
     falling = ball(position=[[0, 0.1, 0]], velocity=[[1.0, -3.0, 0]])

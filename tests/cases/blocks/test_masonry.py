@@ -50,6 +50,9 @@ def walked(courses: int, mu: float, **given: float) -> float:
     return float(courses * mu * p["g"] * p["duration"] / math.sqrt(1e9 / 48.0) / way)
 
 
+@pytest.mark.shows(
+    "The case judges no springs there",
+)
 @pytest.mark.parametrize(
     ("columns", "courses", "ends"),
     [(6, 5, 0.6), (6, 12, 0.25225), (6, 9, 0.51685), (16, 14, 0.43514)],

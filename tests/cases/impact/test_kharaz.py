@@ -40,6 +40,7 @@ def test_the_angle_of_rebound_is_that_of_the_tangential_restitution(angle: float
     assert REBOUND[angle] == pytest.approx(due, abs=math.hypot(READ_ANGLE, SCATTER_ANGLE))
 
 
+@pytest.mark.shows("shown beside what the loss of tangential momentum demands")
 @pytest.mark.parametrize("angle", SPIN)
 def test_spins_are_up_to_22_per_cent_off_what_angular_momentum_demands(angle: float) -> None:
     lost = (1.0 - kept(angle)) * GIVEN["v"] * math.sin(math.radians(angle))

@@ -54,6 +54,7 @@ def test_a_hundred_thousand_steps_are_summed_to_rounding(scheme: str, tmp_path: 
     assert trial.quantities[0].observe(run) == pytest.approx(1.0, abs=1e-13)
 
 
+@pytest.mark.shows("each step of `dda` takes a fixed part of all velocity")
 @pytest.mark.parametrize("dd", [-0.1, 1.1, float("nan")])
 def test_a_step_hands_on_a_part_of_its_velocity(dd: float) -> None:
     with pytest.raises(ValueError, match=r"dd = .*; a step keeps a fraction between 0 and 1"):

@@ -44,6 +44,7 @@ def roots(O: float, way: Formulation) -> Vector:
     return np.asarray(np.roots([1.0, -trace, det]))
 
 
+@pytest.mark.shows("makes it first order and dissipates energy")
 @settings(max_examples=30)
 @given(st.floats(0.05, 3.9))
 def test_a_bouncing_block_is_damped_by_the_published_spectral_radius(O: float) -> None:
@@ -62,6 +63,7 @@ def test_stiff_contacts_have_two_real_roots_that_go_back_to_one(O: float) -> Non
     assert O < 1e4 or np.abs(found).max() == pytest.approx(1.0, abs=1e-6)
 
 
+@pytest.mark.shows("makes it first order and dissipates energy")
 def test_the_step_is_first_order_at_a_fixed_stiffness() -> None:
     """The run ends after the first slip; friction does not change its sign in it."""
     scene, kn, steps = slope(20, 22, A=5.0), 1e7, (4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4)
@@ -76,6 +78,11 @@ def errors(scene: Scene, kn: float, steps: tuple[float, ...], way: Formulation) 
     return np.array([np.abs(path - paths[-1]).max() for path in paths[:-1]])
 
 
+@pytest.mark.shows(
+    "velocities are then off by dt/2 times the change in acceleration, and displacements by up "
+    "to w^2 T dt/4 of their largest value",
+    "`dda/default` evaluates shaking at the middle of a step",
+)
 @pytest.mark.parametrize("system", [run, general])
 @pytest.mark.parametrize("way", [DEFAULT, LAGGED])
 def test_shaking_is_felt_in_the_middle_of_a_step_and_by_replicas_at_its_end(

@@ -34,6 +34,9 @@ def off(given: dict[str, float], way: Formulation, knobs: Knobs) -> float:
     return float(np.abs(s.observe(done) - due).max() / np.abs(due).max())
 
 
+@pytest.mark.shows(
+    "In `dda` the shear springs carry part of a wedge's weight while it is pressed in at the start"
+)
 def test_a_wedge_that_starts_to_slide_is_as_right_as_the_step_and_not_as_the_springs() -> None:
     """A sine of 1 Hz is sampled half a step late: a relative error of 2 pi dt/2 in displacement."""
     thrown = dataclasses.replace(DEFAULT, eased=0)
@@ -72,6 +75,7 @@ def test_rounds_end_as_soon_as_a_wedge_slides_evenly(monkeypatch: pytest.MonkeyP
     assert calls[2:] == 3 * [EASING]
 
 
+@pytest.mark.shows("In `dda` a block at rest sinks by its load over the stiffness of the springs")
 def test_a_block_on_its_contacts_sinks_by_no_more_than_its_loads_over_their_stiffness() -> None:
     """By orders of magnitude more, and by what an elastic block is compressed besides."""
     stiff = Springs(1e9, 4e8, 0.5)

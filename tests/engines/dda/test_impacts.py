@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pytest
 
 from cases.blocks.rocking_restitution import CASE as ROCKING
 from tests.scenes.blocks.dda_scenes import closes, run
@@ -45,6 +46,10 @@ def on_springs(duration: float, dt: float) -> Vector:
     return np.array([x - start[0], z - start[1]])
 
 
+@pytest.mark.shows(
+    "`dda` rebounds from it, because springs return an impact",
+    "Finer steps dissipate less of it, and converge to the motion on springs",
+)
 def test_the_rebound_of_a_rod_that_jams_is_that_of_its_springs_and_damped_by_the_step() -> None:
     """It does not vanish with the step: rigid contact with restitution zero is another law."""
     study = CASE.declare("mu-2", P).study

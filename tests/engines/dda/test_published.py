@@ -36,6 +36,7 @@ def start_velocity(phi: float, kn: float, mass: float) -> float:
     return G / w * (math.sqrt(c * (2 * s - c)) - math.acos(1 - c / s) * (s - c))
 
 
+@pytest.mark.shows("`dda/published` starts with unloaded shear springs")
 @pytest.mark.parametrize("kn", [1e8, 1e9])
 def test_error_under_gravity_rises_with_phi_as_the_late_slip_of_shear_springs_says(
     kn: float,
@@ -110,6 +111,7 @@ def test_the_default_gets_better_with_stiffness_unless_its_friction_lags() -> No
     assert lagged[-1] > max(lagged[:2]) > 10 * errors[-1]
 
 
+@pytest.mark.shows("`dda` starts contacts with the forces of a block at rest")
 def test_springs_charged_with_the_loads_start_a_slide_without_a_jolt() -> None:
     scene = slope(28, 25)
     done = run(asked(scene, 1e-3, 1e8, 1.0), DEFAULT)

@@ -74,6 +74,7 @@ def test_strain_does_not_know_the_units() -> None:
     assert two == pytest.approx(one, abs=1e-9 * np.abs(one).max())
 
 
+@pytest.mark.shows("In all schemes of `dda` the strain of a block is uniform")
 @pytest.mark.parametrize(
     ("free", "spin", "count"),
     [
@@ -172,6 +173,7 @@ def test_a_spinning_rod_keeps_its_stress_and_its_shape(turns: float) -> None:
     assert kept == pytest.approx(1.0, abs=1e-10)
 
 
+@pytest.mark.shows("`dda/published` does not rotate strains with a block")
 def test_strains_that_stay_behind_shear_what_turns_and_published_says_so() -> None:
     _, shape, _ = spun(dataclasses.replace(DEFAULT, follow=0), 1.25)
     due = (1 + NU) / E * (ALONG[0] - ALONG[1])

@@ -82,6 +82,11 @@ def test_a_box_spun_about_its_middle_axis_turns_over() -> None:
         assert np.abs(rotation - euler(tuple(FLIP), time)).max() <= 5e-4
 
 
+@pytest.mark.shows(
+    "A box of 0.6 x 0.4 x 0.8 m thrown with the spin (1, 5, 2) 1/s keeps that spin, and its "
+    "angular momentum is 14 % off after 1 s",
+    "`dda/published` rotates free blocks in space without gyroscopic torque",
+)
 def test_the_published_step_has_no_gyroscopic_torque_and_says_so() -> None:
     """Its spin remains constant, while its angular momentum rotates with it."""
     spin = np.array([1.0, 5.0, 2.0])
@@ -134,6 +139,7 @@ def leaned(dt: float, at_the_start: bool, steps: int) -> Vector:
     return np.array(seen)
 
 
+@pytest.mark.shows("because the lever arms of weight and reaction are those at the start of a step")
 def test_a_block_on_its_edge_is_late_because_lever_arms_are_of_the_start_of_a_step() -> None:
     """With the lever arm at the end of a step it would be as much too early."""
     dt, stride, rows = 1e-3, 30, 15
@@ -150,6 +156,7 @@ def test_a_block_on_its_edge_is_late_because_lever_arms_are_of_the_start_of_a_st
     assert -after.min() == pytest.approx(before.max(), rel=0.3)
 
 
+@pytest.mark.shows("It refuses scenes where they do")
 def test_the_second_order_step_refuses_blocks_that_rotate_and_says_why() -> None:
     scheme = next(one for one in ADAPTER.schemes if one.name == "generalised-alpha")
     assert unsupported(scheme, frozenset({Term.ROTATION, Term.GRAVITY})) == {Term.ROTATION}

@@ -83,6 +83,7 @@ def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = S
     return np.ones((3, 3))
 
 
+@pytest.mark.shows("`rigid` extrapolates along such a drift")
 @pytest.mark.parametrize("way", ["solve_with_leaps", "solve_in_turns"])
 @pytest.mark.parametrize("row", ROWS)
 def test_sweeps_that_are_stuck_far_off_begin_anew_once(
@@ -96,6 +97,7 @@ def test_sweeps_that_are_stuck_far_off_begin_anew_once(
     assert (p == 0.0).all() == ("anew" in wanted)
 
 
+@pytest.mark.shows("`rigid` iterates from block to block in sweeps")
 def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
     monkeypatch: pytest.MonkeyPatch, done: list[str]
 ) -> None:
@@ -105,6 +107,7 @@ def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
     assert (p == 1.0).all()
 
 
+@pytest.mark.shows("`rigid` iterates from block to block in sweeps")
 @pytest.mark.parametrize(
     ("way", "blocks", "most", "parts"),
     [

@@ -51,6 +51,7 @@ def test_where_a_toppled_column_lies_hangs_little_on_the_step() -> None:
     assert np.ptp(lies) <= 2e-4
 
 
+@pytest.mark.shows("In smaller scenes the time of landing is found and the impact is instantaneous")
 @pytest.mark.parametrize("free_spin", [HELD, FREE], ids=["held", "free"])
 @pytest.mark.parametrize("step", [3e-3, 0.06, 0.17, 0.7])
 def test_a_thrown_block_flies_and_comes_down_as_it_should_at_any_step(
@@ -68,6 +69,9 @@ def test_a_thrown_block_flies_and_comes_down_as_it_should_at_any_step(
     assert np.abs(lost - np.where(t < 0.2, 0.0, 1000 * (G / 10) ** 2 / 2)).max() <= 2e-8 * lost[-1]
 
 
+@pytest.mark.shows(
+    "a block that lands in a scene of more than eight blocks penetrates for half a step"
+)
 def test_among_more_than_eight_blocks_one_that_lands_penetrates_for_half_a_step() -> None:
     """A step closes the gap, and the next one stops it: half of the gap too deep, as it moves at
     the mean of its velocities before and after."""
@@ -152,6 +156,7 @@ def jammed(mu: float, step: float) -> float:
     return float(np.abs(moved[:, [0, 2]] - exact).max() / np.abs(exact).max())
 
 
+@pytest.mark.shows("In Painleve's paradox a rod jams by an impact")
 @pytest.mark.parametrize("mu", [1.34, 2.0])
 def test_a_rod_that_jams_stops_at_once_and_turns_on_to_second_order(mu: float) -> None:
     errors = [jammed(mu, step) for step in (1e-3, 5e-4, 2.5e-4)]

@@ -64,6 +64,7 @@ def in_plane(height: int, mu: float) -> tuple[Joints, Bodies, Friction, Vector]:
     return joints._replace(pull=pull, across=across), locked, friction, falls
 
 
+@pytest.mark.shows("A sweep passes a force on by one block")
 @pytest.mark.parametrize("made", [pile, in_plane])
 @pytest.mark.parametrize("mu", [0.5, 0.05])
 def test_newton_steps_reach_the_answer_of_sweeps_in_fewer(made: Any, mu: float) -> None:

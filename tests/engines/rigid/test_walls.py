@@ -59,6 +59,10 @@ def test_no_step_of_a_wall_that_begins_to_slide_takes_thousands_of_sweeps_in_vai
     assert sweeps.max() <= 5000
 
 
+@pytest.mark.shows(
+    "the iteration can drift away from some of them",
+    "`rigid` extrapolates along such a drift",
+)
 def test_where_impulses_drift_leaps_or_a_fresh_start_without_them_solve_the_step() -> None:
     """Which step of which wall needs more sweeps than leaps get is decided by rounding.
 

@@ -80,6 +80,7 @@ def test_the_base_always_presses(along: tuple[int, ...]) -> None:
     assert len(along) > 1 or pressed.min() == pytest.approx(0.25, abs=1e-3)
 
 
+@pytest.mark.shows("A bar that is held to a uniform strain is stiffer than one that is not")
 def test_a_bar_cut_into_many_swings_slower_than_one_of_uniform_strain() -> None:
     """A bar of unit E, rho and length in linear elements, free or fixed at its foot."""
     n = 200

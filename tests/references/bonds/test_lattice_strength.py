@@ -29,6 +29,7 @@ def test_two_routes_agree(shape: tuple[int, int, int]) -> None:
     assert one == pytest.approx(other, rel=1e-9)
 
 
+@pytest.mark.shows("5.8 % at 82 elements to 9.7 % at 37 681, 8.5 % on average over nine sizes")
 def test_blocks_are_weaker_than_the_lattice_as_published() -> None:
     """The mean over the blocks in the paper is 8.89 %; that over all nine sizes is 8.47 %."""
     short = [1 - strength(N) / EQ_7 for N in (82, 255, 580, 1105, 2166)]
@@ -37,6 +38,7 @@ def test_blocks_are_weaker_than_the_lattice_as_published() -> None:
     assert short[-1] == pytest.approx(0.0878, abs=1e-4)
 
 
+@pytest.mark.shows("the unit times 1 + 1/(6n - 6), for n elements a row")
 @pytest.mark.parametrize("shape", [(2, 1, 1), (3, 2, 1), SIZES[82]])
 def test_without_horizontal_bonds_all_slide_at_once(shape: tuple[int, int, int]) -> None:
     """The solution at finite strain agrees with the second route, which is linear, as Eq. 14 is."""
@@ -46,6 +48,7 @@ def test_without_horizontal_bonds_all_slide_at_once(shape: tuple[int, int, int])
     assert more == pytest.approx(1 + 1 / (6 * shape[0] - 6), rel=1e-12)
 
 
+@pytest.mark.shows("3.4 % above Eq. 14 at 82 elements, 1.5 % below at 37 681")
 def test_pressed_blocks_are_about_as_strong_as_the_lattice() -> None:
     """The paper states 18.51 % less on average, which rigid smooth platens do not explain."""
     over = [sliding(lattice(*SIZES[N], D), ELEMENT, D) / EQ_14 - 1 for N in sorted(SIZES)]

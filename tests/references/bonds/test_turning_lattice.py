@@ -41,6 +41,7 @@ def test_soft_shear_springs_lose_little_by_turning() -> None:
         turning_lattice.static(SMALL, KN, 0.0)
 
 
+@pytest.mark.shows("and 0.4 % at 580")
 @pytest.mark.parametrize(("N", "softer"), [(82, 0.01898), (255, 0.00788), (580, 0.00438)])
 def test_turning_softens_the_faces(N: int, softer: float) -> None:
     block = lattice(*SIZES[N], D)

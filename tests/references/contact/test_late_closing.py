@@ -47,6 +47,7 @@ def _thrown(dt: float, whole: bool) -> float:
     return way
 
 
+@pytest.mark.shows("A direct implementation of the rule gives these digits; if it counts")
 @pytest.mark.parametrize(("dt", "seen"), CODES.items())
 def test_a_spring_charged_for_the_whole_closing_step_has_the_digits_of_the_codes(
     dt: float, seen: float

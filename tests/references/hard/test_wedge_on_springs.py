@@ -9,6 +9,10 @@ from reference_solutions.hard import wedge, wedge_on_springs
 LAW = {"dip": 30.0, "xi": 1.0, "g": 9.81, "m": 1000.0, "ks": 1e9}
 
 
+@pytest.mark.shows(
+    "On springs a wedge sinks into a narrow groove",
+    "The depth W/(4 kn sin^2(xi/2)) holds for any springs",
+)
 @pytest.mark.parametrize("mu", [0.0, 0.14, 0.26, 0.7])
 @pytest.mark.parametrize("t", [5e-4, 2e-3, 0.02])
 def test_the_two_routes_agree_on_what_swings_and_slides(mu: float, t: float) -> None:

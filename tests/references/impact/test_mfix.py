@@ -48,6 +48,7 @@ def test_two_routes_agree_on_a_sphere_set_down_sliding(t: float) -> None:
         assert SLIDE.rolls == pytest.approx(rolls, rel=1e-10)
 
 
+@pytest.mark.shows("DEM01 is a contact that exerts tension until the overlap ends, to 2e-8 m")
 def test_mfix_prints_a_dropped_sphere_whose_contact_may_pull() -> None:
     times = [0.28607148, 0.31541214, 0.34621984, 0.37556050, 0.40490117, 0.49585723]
     printed = [0.09872776, 0.02559695, 0.00307841, 0.04630117, 0.11820900, 0.29614061]
@@ -55,6 +56,10 @@ def test_mfix_prints_a_dropped_sphere_whose_contact_may_pull() -> None:
     assert seen == pytest.approx(printed, abs=2e-8)
 
 
+@pytest.mark.shows(
+    "The heights of DEM02 are those of its springs to 0.21 %, whereas the manual compares them "
+    "with rigid contact, which is 6.4 % off"
+)
 def test_what_mfix_computes_of_bounces_is_right_for_its_springs_and_not_for_rigid_contact() -> None:
     printed = [0.41930671, 0.35478084, 0.30210579, 0.26026070, 0.22626641, 0.19944300]
     seen = [0.1 + top for top in Drop(MASS, 5e4, pulling(0.9), G, True).tops(0.4, 6)]
@@ -63,12 +68,14 @@ def test_what_mfix_computes_of_bounces_is_right_for_its_springs_and_not_for_rigi
     assert printed[-1] / rigid == pytest.approx(1 - 0.064, abs=5e-4)
 
 
+@pytest.mark.shows("DEM03 is the two modes of the pair")
 def test_mfix_prints_the_modes_of_a_pressed_pair() -> None:
     times = np.array([0.00001286, 0.00018003, 0.00027005])
     seen = pressed_pair.heights(times, (4.5e-4, 1.35e-3), **PAIR)  # type: ignore[arg-type]
     assert seen[:, 0] == pytest.approx([0.00044961, 0.00042344, 0.00043208], abs=1e-8)
 
 
+@pytest.mark.shows("DEM04 rolls at 2/7 v0/(mu g) with 5/7 v0")
 def test_mfix_prints_two_sevenths_and_five_sevenths_of_a_sliding_sphere() -> None:
     late = slip_to_roll.speed(np.linspace(0.04, 0.05, 2001), SLIDE).mean()
     assert SLIDE.rolls * SLIDE.mu * G / SLIDE.v0 == pytest.approx(0.28571429, rel=2e-6)
@@ -107,6 +114,10 @@ def test_speeds_converge_fastest_where_drag_is_steepest(v0: float) -> None:
     assert particle.quickest == pytest.approx(steepest, rel=1e-8)
 
 
+@pytest.mark.shows(
+    "exact to all 8 digits that MFiX prints of its own integration, and to 0.005 % of the velocity",
+    "DEM06 is a particle that sinks in gas with the drag of Schiller and Naumann",
+)
 def test_mfix_prints_a_particle_that_sinks() -> None:
     """In the frame of MFiX the gas rises at 0.4 m/s; the initial position is 0.0925 m."""
     times = np.array([0.01, 0.05, 0.1, 0.2, 0.35])
@@ -119,6 +130,7 @@ def test_mfix_prints_a_particle_that_sinks() -> None:
     assert 0.4 - speed == pytest.approx(computed, rel=5e-5)
 
 
+@pytest.mark.shows("With Stokes' drag it would sink a third too fast")
 def test_stokes_drag_would_have_the_particle_of_dem06_sink_a_third_too_fast() -> None:
     stokes = (1.0 - 1.2 / 2000.0) * G * PARTICLE.time
     assert stokes / PARTICLE.last > 1.3

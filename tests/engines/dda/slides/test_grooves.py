@@ -48,6 +48,9 @@ def error_over_bound(
     return off / s.judge.tolerance(Method.SECOND_ORDER).value
 
 
+@pytest.mark.shows(
+    "In steps of 1 ms `dda/augmented-lagrangian` is within its bound at 1e-8 rad",
+)
 @pytest.mark.parametrize("held", [0.1, 0.5, 0.95, 1.1, 1.3])
 @pytest.mark.parametrize("dip", [15.0, 23.0, 30.0, 40.0])
 @pytest.mark.parametrize("xi", [1e-7, 1e-8])
@@ -82,6 +85,9 @@ def test_answers_depend_on_neither_units_nor_the_order_of_sides(xi: float, held:
     assert np.abs(slid(turned) - path).max() <= 1e-12 * fall
 
 
+@pytest.mark.shows(
+    "So it is in grooves that are oblique to the frame, down to 1e-7 rad",
+)
 @pytest.mark.parametrize("held", [0.5, 0.97, 1.1])
 @pytest.mark.parametrize("xi", [1e-3, 1e-5, 1e-6, 1e-7])
 def test_in_grooves_that_are_oblique_to_the_frame_all_laws_are_kept(xi: float, held: float) -> None:
@@ -93,6 +99,9 @@ def test_in_grooves_that_are_oblique_to_the_frame_all_laws_are_kept(xi: float, h
         assert error_over_bound(xi, 30.0, held, Knobs(1e-3, 1e9), frame) <= 1.0
 
 
+@pytest.mark.shows(
+    "sides that enclose less than 1e-9 rad are refused",
+)
 def test_sides_that_multipliers_would_take_for_parallel_are_refused() -> None:
     narrow, wide = (wedge(xi, 30.0, 0.5, Knobs(1e-3, 1e9)) for xi in (5e-10, 2e-9))
     assert "walls 0 and 1 enclose 5e-10 rad" in (refuses(narrow, BORNE) or "")

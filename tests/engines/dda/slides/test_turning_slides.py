@@ -46,6 +46,7 @@ def mid_step(turns: float) -> float:
     return DOWNWARDS * (STEPS - 0.5 - turns) * DT
 
 
+@pytest.mark.shows("friction's impulse reverses when slip does")
 @pytest.mark.parametrize("turns", [0.7, 1.0, 60.1, 60.3, 60.5, 60.8])
 def test_a_block_thrown_up_a_slope_comes_down_as_fast_as_it_should(turns: float) -> None:
     """Forces are constant but for the direction of friction: nothing but rounding is off."""

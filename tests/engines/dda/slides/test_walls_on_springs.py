@@ -11,6 +11,7 @@ import math
 from typing import Any
 
 import numpy as np
+import pytest
 
 from cases.blocks.masonry import BED, CASE
 from reference_solutions.blocks import responding_block
@@ -86,6 +87,10 @@ def on_springs() -> Vector:
     return np.asarray([bodies.line[owner == i, 0] @ moved[owner == i] for i in np.unique(owner)])
 
 
+@pytest.mark.shows(
+    "friction makes springs without damping vibrate",
+    "This is the motion of the springs and no error of the step",
+)
 def test_fine_steps_converge_to_the_motion_on_springs_and_not_to_a_rigid_wall() -> None:
     right, t = on_springs(), np.array([0.0, DURATION])
     rigid = responding_block.one_direction(t, D=P["D"], f=P["f"], mu=MU, g=P["g"])

@@ -44,6 +44,7 @@ def held_at(
     return at_limit(old, pull, slide, ks, cap)
 
 
+@pytest.mark.shows("Its energy is slip times the mean of the forces before and after a step")
 def test_friction_at_its_limit_takes_the_mean_force_times_the_slip() -> None:
     """The slip is the slide but for what stretches the spring."""
     old, pull, slide = (
