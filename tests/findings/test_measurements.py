@@ -111,18 +111,18 @@ FOUND: Table = {
     "the collapse of columns has laws with numbers, as others cite them, and is run": [
         Row("column-collapse:seed-1", DEM, None, run_out(), 0.63, 0.75),
     ],
-    "to 3 % with holes of 5.1 and 6.7 grains in `dem`": [
-        Row("hopper:narrow-1", DEM, None, outflow(), -0.03, 0.03),
-        Row("hopper:wide-1", DEM, None, outflow(), -0.03, 0.03),
+    "to 4 % with holes of 5.1 and 6.7 grains in `dem`": [
+        Row("hopper:narrow-1", DEM, None, outflow(), -0.04, 0.04),
+        Row("hopper:wide-1", DEM, None, outflow(), -0.04, 0.04),
     ],
     "and to 5 % in YADE and LIGGGHTS": [
         row
         for hole in ("hopper:narrow-1", "hopper:wide-1")
         for row in each("yade/default,liggghts/default", (hole, None, outflow(), -0.05, 0.05))
     ],
-    "With its clear width alone they would be 20 and 9 % too fast": [
-        Row("hopper:narrow-1", DEM, None, outflow(clear), 0.195, 0.205),
-        Row("hopper:wide-1", DEM, None, outflow(clear), 0.085, 0.1),
+    "With its clear width alone they would be some 20 and 10 % too fast": [
+        Row("hopper:narrow-1", DEM, None, outflow(clear), 0.17, 0.25),
+        Row("hopper:wide-1", DEM, None, outflow(clear), 0.08, 0.13),
     ],
 }
 
