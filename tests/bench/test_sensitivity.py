@@ -44,6 +44,41 @@ def test_springs_see_friction_one_percent_off_on_a_shaken_base(variant: str, cod
         assert found[0] > 1
 
 
+@pytest.mark.parametrize("name", ["Ay", "fy", "f", "g"])
+@pytest.mark.parametrize(
+    ("variant", "scheme"),
+    [
+        ("two-directions", "dem/default"),
+        ("two-directions", "dda/default"),
+        ("two-directions", "dda/generalised-alpha"),
+        ("two-directions-turning", "dda/default"),
+    ],
+)
+def test_springs_see_shaking_in_two_directions_one_percent_off(
+    variant: str, scheme: str, name: str
+) -> None:
+    assert sees("incline", variant, scheme, name, Level.QUICK)
+
+
+@pytest.mark.parametrize("variant", ["T3", "T3-mirrored", "T3-swapped", "T3-free", "T3-rotated"])
+def test_a_leapfrog_sees_the_viscosity_of_a_grazing_contact_at_the_default_level(
+    variant: str,
+) -> None:
+    """At the quick level its own error is as large as what 1 % of it changes."""
+    assert sees("single-contact", variant, "dem/default", "eta", Level.DEFAULT)
+
+
+def sees(case_name: str, variant: str, named: str, name: str, level: Level) -> bool:
+    """Whether a scheme with a parameter 1 % off, to one side or the other, fails a tolerance."""
+    case, (code, scheme_name) = PROJECT.load_case(case_name), named.split("/")
+    adapter = PROJECT.load_adapter(code)
+    (scheme,) = (one for one in adapter.schemes if one.name == scheme_name)
+    right = case.declare(variant, case.defaults(variant))
+    wrongs = sensitivity.off(case, variant, name)
+    found = sensitivity.shows(right, wrongs, adapter, scheme, level)
+    return found is not None and found[0] > 1
+
+
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_what_is_said_to_be_unseen_has_a_reason_and_is_neither_inert_nor_unknown(
     case: Case,
