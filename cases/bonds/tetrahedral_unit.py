@@ -45,6 +45,7 @@ from vv.case import (
 )
 from vv.scene import Vector
 
+THROWN = {"breathing": breathing, "turned": turned}
 STEP = 2e-8  # s: the coarsest
 REST = 6e-5  # s: the time to rest, or a multiple that viscosity needs
 LONGER = 4  # rotation is damped only through the motion of the centres
@@ -172,10 +173,12 @@ def _to_first_order(name: str, fz: float, d: float, run: Run) -> float:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    if variant == "breathing":
-        return breathing(p)
-    if variant == "turned":
-        return turned(p)
+    if variant in THROWN:
+        if p["strain"] == 0:
+            raise ValueError(
+                f"strain = {p['strain']!r}; the amplitude must not be 0, or nothing moves"
+            )
+        return THROWN[variant](p)
     return _loaded(p, variant == "turning")
 
 

@@ -50,6 +50,7 @@ def test_a_parameter_of_zero_is_answered_or_refused_by_name(case: Case, variant:
     for name in [name for name, value in usual.items() if value]:
         answer = answered(case, variant, {**usual, name: 0.0})
         if isinstance(answer, Trial):
+            assert answer.quantities, name
             assert zero_without_scale(answer) == [], name
         else:
             assert re.search(rf"\b{re.escape(name)} = ", answer)

@@ -210,6 +210,7 @@ def test_drag_turns_a_pair_of_unlike_masses_that_drifts_sideways() -> None:
         (unit(bonds=tied(pairs=EDGES[:5])), "contact between spheres is not modelled on bonds"),
         (unit(bonds=tied(tension=8.0)), "bonds that break is not modelled"),
         (Scene((elements(),), Contact(KN)), "without bonds has nothing to linearise"),
+        (unit(), "nothing in the scene moves"),
     ],
 )
 def test_what_is_not_linear_to_first_order_is_refused(scene: Scene, words: str) -> None:

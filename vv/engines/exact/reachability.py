@@ -145,7 +145,7 @@ def scaled(vector: Vector, size: float = 0.0) -> Vector:
 
 def directions_of_motion(free: Vector, causes: list[Vector], rounding: float) -> Vector:
     """Directions (d, 3) in which unit vectors of causes move a sphere; free axes if possible."""
-    space = span(np.array(causes) @ free.T @ free, rounding)
+    space = span(np.reshape(causes, (-1, 3)) @ free.T @ free, rounding)
     inside = np.linalg.norm(free - free @ space.T @ space, axis=1) <= rounding
     return free[inside] if inside.sum() == len(space) else space
 
