@@ -20,7 +20,7 @@ from vv.cli import invocation, options
 from vv.output.table import table
 from vv.plan.project import find
 from vv.plan.settings import parse_knobs
-from vv.records.reading import in_words
+from vv.records.reading import to_the_last_digit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -66,7 +66,7 @@ def _command(selection: Sequence[str], codes: str, chosen: Options) -> list[str]
     words = ["vv", "run", *(selection or ("--all",))]
     words += ["--codes", codes, "--level", chosen.level.value]
     words += [word for text in chosen.settings for word in ("--set", text)]
-    return words + [word for knobs in chosen.rungs for word in ("--rung", in_words(knobs))]
+    return words + [word for knobs in chosen.rungs for word in ("--rung", to_the_last_digit(knobs))]
 
 
 def _level(name: str) -> Level:

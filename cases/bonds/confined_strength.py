@@ -63,7 +63,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if not p["fx"] > 0.0:
         raise ValueError(f"fx = {p['fx']!r} N; it must be positive")
     shares = SHARES[variant]
-    exact = [_failure(p, share * p["fx"]) for share in shares]
+    exact = [_failure(p, share) for share in shares]
     goal = History(BEYOND * abs(exact[-1].strain / p["rate"]), EVERY)
     firsts = [len(CORNERS) * k for k in range(len(RATES) * len(shares))]
     moved = [Displacement(first + i) for first in firsts for i in range(3)]
@@ -86,15 +86,19 @@ def _strength(p: Parameters, which: int, run: Run) -> float:
     return at_zero_rate(functools.partial(slid, p), run, len(RATES) * which)
 
 
-def _failure(p: Parameters, fx: float) -> Failure:
-    """The failure by sliding of inclined bonds; ValueError if it is not the largest pressure."""
+def _failure(p: Parameters, share: float) -> Failure:
+    """The failure by sliding of inclined bonds under a share of the load fx.
+
+    Raises ValueError if it is not the largest pressure.
+    """
     element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
-    failed = confined_unit.sliding_failure(element, p["d"], fx)
+    failed = confined_unit.sliding_failure(element, p["d"], share * p["fx"])
+    given = f"fx = {p['fx']!r} N, of which one unit bears {share:g}"
     if not failed.pressure > failed.held:
-        raise ValueError(f"fx = {fx!r} N; bonds slide below the pressure that opens the base")
+        raise ValueError(f"{given}; its bonds slide below the pressure that opens the base")
     if not failed.spare > 0.0:
         raise ValueError(
-            f"fx = {fx!r} N; the oscillation after the base opens makes inclined bonds slide"
+            f"{given}; the oscillation after the base opens makes inclined bonds slide"
         )
     return failed
 

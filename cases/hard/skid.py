@@ -46,8 +46,11 @@ def _scene(p: Parameters) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     law, unit = {name: p[name] for name in LAW}, math.sqrt(p["m"] / p["kn"])
-    if not p["vn"] * unit < RADIUS:
-        raise ValueError(f"vn = {p['vn']!r} m/s; the sphere would sink by {p['vn'] * unit:.6g} m")
+    if not p["vn"] * unit < RADIUS / 10:
+        raise ValueError(
+            f"vn = {p['vn']!r} m/s, kn = {p['kn']!r} N/m; the sphere would sink by "
+            f"{p['vn'] * unit:.6g} m; it must be below a tenth of the radius, {RADIUS / 10:g} m"
+        )
     goal = History(LASTS * unit, SEEN * unit)
 
     def answer(which: int, t: Vector) -> Vector:

@@ -8,7 +8,7 @@ from vv.records.finding import Aspect, Bit, Finding, bits, worst_first
 from vv.records.job_record import JobCost
 from vv.records.outcomes import CostKind
 from vv.records.quantity import MeasuredQuantity
-from vv.records.reading import fineness, in_words, ran, too_long, tried
+from vv.records.reading import fineness, in_words, ran, to_the_last_digit, too_long, tried
 
 
 @pytest.mark.parametrize(
@@ -95,3 +95,9 @@ def test_findings_are_listed_red_first_then_reported_ones_then_notices_by_size()
     ]
     order = [found.case for found in worst_first(given)]
     assert order == ["large", "small", "only told", "notice"]
+
+
+def test_settings_are_named_by_twelve_digits_and_to_the_last_where_they_are_run_again() -> None:
+    third = Knobs(1e-3 / 3, 1e9)
+    assert in_words(third) == "dt=0.000333333333333,kn=1000000000"
+    assert to_the_last_digit(third) == "dt=0.0003333333333333333,kn=1000000000.0"

@@ -21,3 +21,14 @@ def test_a_bound_is_cut_at_the_settings_of_the_case_alone(
     (record,) = json.loads((tiny.root / "out.json").read_text())["records"]
     found = {one["name"]: one for one in record["quantities"]}["y"]
     assert (found["tolerance"], found["verdict"]) == (pytest.approx(allowed), verdict)
+
+
+def test_a_setting_named_by_twelve_digits_is_that_of_the_case(tiny: Tiny) -> None:
+    """Commands that run a finding again name settings so."""
+    tiny.edit("cases/fall.py", "Knobs(dt=0.05)", "Knobs(dt=0.1 / 3)")
+    for given, taken in (("0.0333333333333", 0.1 / 3), ("0.033333333", 0.033333333)):
+        tiny.vv(
+            "run", "fall:up", "--codes", "fake/good", "--rung", f"dt={given}", "--json", "o.json"
+        )
+        (record,) = json.loads((tiny.root / "o.json").read_text())["records"]
+        assert record["rung"]["dt"] == taken

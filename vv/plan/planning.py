@@ -90,8 +90,25 @@ def _declared(case: Case, variant: str, options: Options) -> _Declared:
     trial = declare_trial(case, variant, parameters)
     if not trial.study.scene.contact.rigid and any(rung.kn for rung in options.rungs):
         raise UsageError(f"{case.name}:{variant} has a contact stiffness of its own; leave out kn")
-    rungs = options.rungs or trial.study.rungs[options.level]
+    own = [one for level in trial.study.rungs.values() for one in level]
+    chosen = tuple(_as_in_the_case(rung, own) for rung in options.rungs)
+    rungs = chosen or trial.study.rungs[options.level]
     return _Declared(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
+
+
+def _as_in_the_case(asked: Knobs, own: Iterable[Knobs]) -> Knobs:
+    """A setting, with the last digits of the case's own where it is that to twelve digits.
+
+    Findings and tables name settings by twelve digits, and so do commands that run one again.
+    """
+    given = {name: value for name, value in vars(asked).items() if value is not None}
+    for one in own:
+        same = {name: getattr(one, name) for name in given}
+        if all(
+            have is not None and f"{have:.12g}" == f"{given[n]:.12g}" for n, have in same.items()
+        ):
+            return Knobs(**same)
+    return asked
 
 
 def finest_ask(case: Case, variant: str, options: Options) -> Ask:

@@ -9,9 +9,18 @@ UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED, Status.TOO_LONG)
 
 
 def in_words(knobs: Knobs) -> str:
-    """Knobs as text, dt=0.001,kn=1e+09; empty if there are none."""
-    named = (("dt", knobs.dt), ("kn", knobs.kn), ("dd", knobs.dd))
-    return ",".join(f"{name}={value:.12g}" for name, value in named if value is not None)
+    """Knobs as text of twelve digits, dt=0.001,kn=1000000000; empty if there are none."""
+    return ",".join(f"{name}={value:.12g}" for name, value in _named(knobs))
+
+
+def to_the_last_digit(knobs: Knobs) -> str:
+    """Knobs as text that gives the same numbers when it is read."""
+    return ",".join(f"{name}={value!r}" for name, value in _named(knobs))
+
+
+def _named(knobs: Knobs) -> list[tuple[str, float]]:
+    every = (("dt", knobs.dt), ("kn", knobs.kn), ("dd", knobs.dd))
+    return [(name, value) for name, value in every if value is not None]
 
 
 def label(record: Record) -> str:
