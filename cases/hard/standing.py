@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -33,6 +33,7 @@ MOST = 1000  # blocks: their shapes take less than a second
 VOUSSOIRS, DEEP, DENSITY = 10, 0.25, 2500.0  # number, half depth [m], kg/m3
 OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 Y, Z = np.eye(3)[1:]
+EPS = float(np.finfo(float).eps)
 
 
 def _prism(name: str, corners: Vector) -> Block:
@@ -123,14 +124,28 @@ def _stack_bounds(n: float) -> Exact:
 
 
 def _crown_sinking(p: Parameters) -> Quantity:
+    falls = functools.partial(
+        falling_arch.crown_drop, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
+    )
+    _check_resolved(p, falls)
     return Series(
         "sunk", "d", "m", "downward displacement of the voussoir beside the crown",
         ComponentAlong(Displacement(VOUSSOIRS // 2), -Z),
-        functools.partial(
-            falling_arch.crown_drop, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
-        ),
+        falls,
         FALLS,
     )  # fmt: skip
+
+
+def _check_resolved(p: Parameters, falls: Callable[[Vector], Vector]) -> None:
+    """Raise ValueError where rounding of positions exceeds the smallest tolerance of the fall."""
+    *_, finest = FALLING
+    allowed = FALLS.tolerance(Method.SECOND_ORDER).at(finest)
+    drop = float(falls(np.array([GOALS["arch-thin"].duration]))[-1])
+    if not drop * allowed >= EPS * p["size"]:
+        raise ValueError(
+            f"g = {p['g']!r} m/s2; the crown falls by {drop:.3g} m, {allowed:.3g} of "
+            f"which is below the rounding of positions, {EPS * p['size']:.3g} m"
+        )
 
 
 def _farthest(run: Run, seen: tuple[Displacement, ...]) -> float:

@@ -250,3 +250,25 @@ def test_odd_and_few_voussoirs_are_refused() -> None:
             thrust.thinnest_of_chords(n)
     with pytest.raises(ValueError, match="n = 5; at least 6"):
         thrust.stands(5, 0.2, 0.5)
+
+
+@pytest.mark.parametrize(("variant", "knobs"), [
+    ("stack-10", Knobs(2e-2, 1e9)), ("arch", Knobs(5e-3, 1e9)),
+])  # fmt: skip
+@pytest.mark.parametrize("g", [1e-12, 1e-300])
+def test_energy_that_springs_have_of_rounded_positions_is_no_divergence(
+    variant: str, knobs: Knobs, g: float
+) -> None:
+    """Weights press springs by 1e-17 m, where a gap of metres is rounded by 1e-16 m."""
+    ask = CASE.declare(variant, {**CASE.defaults(variant), "g": g}).study.ask(knobs)
+    run = dda.solve(ask, dda.DEFAULT)
+    assert run.status is Status.RAN, run.reason
+    assert max(float(np.abs(way).max()) for way in run.values.values()) <= 1e-12  # m
+
+
+def test_a_fall_must_exceed_the_rounding_of_positions() -> None:
+    given = CASE.defaults("arch-thin")
+    CASE.declare("arch-thin", {**given, "g": 3.5e-8})
+    for g in (3.3e-8, 1e-300):
+        with pytest.raises(ValueError, match="below the rounding of positions"):
+            CASE.declare("arch-thin", {**given, "g": g})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.augmented.forces import gap_rounding
 from vv.engines.dda.general.augmented.multipliers import energy_of_fall
 from vv.engines.dda.general.bodies import Motion, copy_motion, copy_rows, fill_masses
 from vv.engines.dda.general.contact import Touch, close_initial, contact_arrays, find_contacts
@@ -29,6 +30,7 @@ from vv.engines.kernels.arrays import (
     counts,
     numbers,
     same_rows,
+    square_of,
     table,
     zero_numbers,
     zero_rows,
@@ -114,6 +116,9 @@ def first_contacts(work: Work, setting: Setting, motion: Motion) -> Touch:
     work.funds[LIMIT] = np.inf
     if setting.choices.multipliers > 0:  # no energy in springs: allow for rounding
         work.funds[SPARE] = energy_of_fall(setting.bodies, setting.reach)
+    else:  # positions are rounded, and with them the gaps of springs
+        rounded = 0.5 * setting.law.kn * square_of(gap_rounding(motion))
+        work.funds[SPARE] = rounded * len(touch.key)
     return touch
 
 
