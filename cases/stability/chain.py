@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cases.stability._phase import MORE, HastenedTolerance, hastened
 from cases.stability._pulse import FAR, NEAR, Pulse, returned_energy, speed
 from reference_solutions.contact import chain as closed
 from vv.ask import History, Knobs, Method, Observable, Run, Velocity
@@ -103,7 +104,7 @@ def _mode(j: int, p: Parameters) -> Trial:
     frequency = Scalar(
         "frequency", f"w/w_{j}", "", "frequency from the outputs, over that of the mode",
         lambda run: _observed_frequency(run, seen) / w, 1.0, 1.0,
-        _judge((w * _coarsest(p)) ** 2 / 24, _coarsest(p), TURNS, _rounding(p)),
+        _turning(w, _coarsest(p), _rounding(p)),
     )  # fmt: skip
     return Trial(Ladder(scene, History(12.0 / w, 1.0 / w), (seen,), levels), (frequency,))
 
@@ -136,7 +137,7 @@ def _pulse(p: Parameters) -> Trial:
         return Scalar(
             name, symbol, "", meaning, lambda run: measure(run.times, _seen(run, seen)),
             lambda: measure(t, path(t)), 1.0,
-            _judge(pulse.error(measure, coarsest), coarsest, why, rounded),
+            _stepped(pulse.error(measure, coarsest), coarsest, why, rounded),
         )  # fmt: skip
 
     def part(i: int, body: int) -> Series:
@@ -144,7 +145,7 @@ def _pulse(p: Parameters) -> Trial:
         return Series(
             f"v{body}", f"v_{body}", "m/s", f"velocity of the sphere {body} from the base",
             lambda run: _seen(run, seen)[:, i], lambda t: path(t)[:, i],
-            _judge(bound, coarsest, LATE, rounding), scale=scale,
+            _stepped(bound, coarsest, LATE, rounding), scale=scale,
         )  # fmt: skip
 
     back = math.sqrt(returned_energy(t, path(t), whole))
@@ -190,15 +191,32 @@ def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
     return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
 
 
-def _judge(bound: float, coarsest: float, reason: str, rounding: float) -> Exact:
+def _turning(w: float, coarsest: float, rounding: float) -> Exact:
+    """For the frequency w [1/s] of a mode, which a leapfrog has at every step below 2/w."""
+    bound = MORE * hastened(w * coarsest)
+    floor = _floor(bound, rounding)
+    own = HastenedTolerance(bound, TURNS, dt=coarsest, order=2, floor=floor, frequency=w)
+    return _judge(own, rounding)
+
+
+def _stepped(bound: float, coarsest: float, reason: str, rounding: float) -> Exact:
     """bound, rounding: relative errors at the coarsest step [s], and at any.
 
     A step of twice that has an error of 4 bound (1 + 3 x^2/10), x = w dt, which is 5 % more at most
     for the waves of the pulse, and within bounds.
     """
-    floor = max(min(1e-8, bound / 20), rounding)
-    second = Tolerance(max(1.05 * bound, floor), reason, dt=coarsest, order=2, floor=floor)
-    first = dataclasses.replace(second, reason=BALANCED + reason)
+    floor = _floor(bound, rounding)
+    value = max(1.05 * bound, floor)
+    return _judge(Tolerance(value, reason, dt=coarsest, order=2, floor=floor), rounding)
+
+
+def _floor(bound: float, rounding: float) -> float:
+    return max(min(1e-8, bound / 20), rounding)
+
+
+def _judge(second: Tolerance, rounding: float) -> Exact:
+    """The bound of a leapfrog, which holds for one with late forces too."""
+    first = dataclasses.replace(second, reason=BALANCED + second.reason)
     return Exact({
         Method.EXACT: Tolerance(max(1e-8, rounding), ROUNDED),
         Method.LEAPFROG: second,
@@ -208,7 +226,10 @@ def _judge(bound: float, coarsest: float, reason: str, rounding: float) -> Exact
 
 OTHERS = "the bounds are those of the phase of waves in a leapfrog"
 BALANCED = "the load only balances the contacts at the start, and does not lower the order; "
-TURNS = "the phase of a leapfrog is too fast by (w dt)^2/24"
+TURNS = (
+    "the phase of a leapfrog is too fast by 2 asin(w dt/2)/(w dt) - 1, which is (w dt)^2/24 in "
+    "short steps; 3 % more is allowed"
+)
 STEPPED = (
     "the bound is the error of that leapfrog, computed as the sum of its modes, whose phase in a "
     "step is 2 asin(w dt/2), at this jump, and 5 %"

@@ -235,3 +235,17 @@ def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
 def test_what_is_out_of_range_is_refused(call: object, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         call()  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("mode", [50, 100])
+@pytest.mark.parametrize("dt", [9.9e-4, 7e-4, 5e-4, 3e-4, 2e-4, 1e-4])
+def test_bounds_of_a_frequency_hold_at_every_stable_step(mode: int, dt: float) -> None:
+    """The first term of the series of the phase error is a seventh too small at w dt = 1."""
+    variant = f"mode-{mode}"
+    trial = CASE.declare(variant, CASE.defaults(variant))
+    study, knobs = trial.study, Knobs(dt)
+    run = dem.solve_default(Ask(study.scene, study.goal, study.observables, knobs))
+    error = abs(scalar(trial, "frequency").observe(run) - 1.0)
+    judge = scalar(trial, "frequency").judge
+    assert isinstance(judge, Exact)
+    assert 0.93 < error / judge.tolerance(Method.LEAPFROG).uncut(knobs) < 1.0
