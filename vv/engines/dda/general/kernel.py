@@ -114,11 +114,11 @@ def first_contacts(work: Work, setting: Setting, motion: Motion) -> Touch:
     fill_masses(work.mass, setting.bodies, motion)
     store_all(work, touch, setting, motion)
     work.funds[LIMIT] = np.inf
-    if setting.choices.multipliers > 0:  # no energy in springs: allow for rounding
-        work.funds[SPARE] = energy_of_fall(setting.bodies, setting.reach)
-    else:  # positions are rounded, and with them the gaps of springs
-        rounded = 0.5 * setting.law.kn * square_of(gap_rounding(motion))
-        work.funds[SPARE] = rounded * len(touch.key)
+    # positions are rounded, and with them the gaps of springs
+    rounded = 0.5 * setting.law.kn * square_of(gap_rounding(motion))
+    work.funds[SPARE] = rounded * len(touch.key)
+    if setting.choices.multipliers > 0:  # no energy in springs: allow for rounding of forces
+        work.funds[SPARE] += energy_of_fall(setting.bodies, setting.reach)
     return touch
 
 
