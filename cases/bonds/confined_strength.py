@@ -73,12 +73,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
             f"C_u at {share:g} fx", f"C_u({share:g} fx)", "Pa", "pressure at which inclined bonds "
             "slide",
             functools.partial(_strength, p, which), failed.pressure, failed.pressure,
-            _bounds(p, _remaining_oscillation(p, failed)),
+            _bounds(_uncertain(p, share, failed) / failed.pressure),
         )
         for which, (share, failed) in enumerate(zip(shares, exact, strict=True))
     )  # fmt: skip
     study = Ladder(_scene(p, shares), goal, watched, LEVELS)
-    return Trial(study, (*strengths, *_slopes(p, exact)))
+    return Trial(study, (*strengths, *_slopes(p, shares, exact)))
 
 
 def _strength(p: Parameters, which: int, run: Run) -> float:
@@ -91,8 +91,7 @@ def _failure(p: Parameters, share: float) -> Failure:
 
     Raises ValueError if it is not the largest pressure.
     """
-    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
-    failed = confined_unit.sliding_failure(element, p["d"], share * p["fx"])
+    failed = _under(p, share * p["fx"])
     given = f"fx = {p['fx']!r} N, of which one unit bears {share:g}"
     if not failed.pressure > failed.held:
         raise ValueError(f"{given}; its bonds slide below the pressure that opens the base")
@@ -103,20 +102,46 @@ def _failure(p: Parameters, share: float) -> Failure:
     return failed
 
 
+def _under(p: Parameters, load: float) -> Failure:
+    """The failure of a unit in equilibrium under inward loads [N] on its base."""
+    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
+    return confined_unit.sliding_failure(element, p["d"], load)
+
+
+def _uncertain(p: Parameters, share: float, failed: Failure) -> float:
+    """What rates of loading and the oscillation leave in the strength of a unit [Pa]."""
+    left = max(abs(_hurried(p, share, failed)), SETTLED * failed.pressure)
+    return left + failed.pressure * _remaining_oscillation(p, failed)
+
+
+def _hurried(p: Parameters, share: float, failed: Failure) -> float:
+    """The most [Pa] that viscosity leaves in the strength that is extrapolated from RATES.
+
+    The top comes down at v, and an open base moves outwards at u, at which an inclined bond keeps
+    its horizontal balance: kn (v cos a - u sin a) sin a = ks (u cos a + v sin a) cos a. With
+    sin a = 1/sqrt3 that is u = v (1 - g) sqrt2/(1 + 2 g), g = ks/kn. Viscosity eta u on the base is
+    a load as fx is, of which the strength is no linear function. Twice what the extrapolation
+    leaves of the strength under it is allowed, since u also changes along the path.
+    """
+    g, speed = p["ks"] / p["kn"], abs(p["rate"]) * p["d"] * CORNERS[0, 2]
+    drag = p["eta"] * speed * abs(1.0 - g) * math.sqrt(2.0) / (1.0 + 2.0 * g)
+    fast, slow = (_under(p, share * p["fx"] + rate * drag).pressure for rate in RATES)
+    due = slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
+    return 2.0 * (due - failed.pressure)
+
+
 def _remaining_oscillation(p: Parameters, failed: Failure) -> float:
     """The part of the oscillation after the base opens that viscosity leaves in the faster unit."""
     late = (failed.opened - failed.strain) / (RATES[0] * abs(p["rate"]))
     return math.exp(-p["eta"] * late / (2.0 * p["m"]))
 
 
-def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
+def _slopes(p: Parameters, shares: tuple[float, ...], exact: list[Failure]) -> tuple[Quantity, ...]:
     """The increase of C_u over the largest horizontal stress, and that over the printed value."""
     across = confined_unit.horizontal_stress(p["fx"], p["d"])
     free, held = exact[0].pressure, exact[-1].pressure
     due = (held - free) / across
-    swing = sum(one.pressure * _remaining_oscillation(p, one) for one in (exact[0], exact[-1])) / (
-        held - free
-    )
+    unsure = _unsure_increase(p, (shares[0], exact[0]), (shares[-1], exact[-1]))
     printed = lattice_material.printed_confinement(p["mu_p"])
 
     def slope(run: Run) -> float:
@@ -125,7 +150,7 @@ def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
 
     return (
         Scalar("P", "P", "", "increase of C_u over the horizontal stress", slope, due, due,
-               _bounds(p, swing)),
+               _bounds(unsure / (held - free))),
         Scalar("P over Eq. 15", "P/P_15", "", "the same over P as printed", lambda run:
                slope(run) / printed, None, 1.0, Shown(HALF)),
         Scalar("P over twice Eq. 15", "P/2P_15", "", "the same over P with the stress of Eq. 11a "
@@ -133,18 +158,33 @@ def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-def _bounds(p: Parameters, swing: float) -> Exact:
+def _unsure_increase(
+    p: Parameters, lower: tuple[float, Failure], upper: tuple[float, Failure]
+) -> float:
+    """What rates and oscillations leave in the difference of two strengths [Pa].
+
+    Viscosity leaves between nothing and `_hurried` in each, mostly of one sign, so that the larger
+    one bounds their difference.
+    """
+    (_, free), (_, held) = lower, upper
+    one, other = _hurried(p, *lower), _hurried(p, *upper)
+    left = max(abs(one), abs(other), abs(one - other))
+    swings = sum(of.pressure * _remaining_oscillation(p, of) for of in (free, held))
+    return max(left, SETTLED * (free.pressure + held.pressure)) + swings
+
+
+def _bounds(value: float) -> Exact:
     """For equilibrium, apart from effects of the rate and of the oscillation."""
-    hurry = (p["eta"] * p["rate"] * p["d"] / p["fs0"] / USUAL) ** 2
-    bound = capped(1e-5 * max(1.0, hurry) + swing, RATE)
+    bound = capped(value, RATE)
     return Exact({Method.SECOND_ORDER: bound, Method.FIRST_ORDER: bound})
 
 
-USUAL = 6.0 * 30.0 * 1e-3 / 18.4522728  # force of viscosity over strength, by default
+SETTLED = 1e-6  # of the strength: what inertia, steps and outputs leave at a low rate
 RATE = (
-    "strengths are extrapolated from two rates: an error of second order in the viscous force over "
-    "the strength remains. The unit also oscillates after its base opens, until viscosity damps "
-    "that"
+    "strengths are extrapolated from two rates. Viscosity on the base, which moves outwards as the "
+    "top comes down, is one more load on it: twice what the extrapolation leaves of the strength "
+    "under that load is allowed, 1e-6 at least. The unit also oscillates after its base opens, "
+    "until viscosity damps that"
 )
 HALF = (
     "Eq. 11a gives twice the stress of a section through the unit, so that its P is half of that "

@@ -101,6 +101,7 @@ RIGHT = {
     ),
     "incline:two-way alpha=16.1 phi=38 A=24.1 f=1.35 g=7.89 duration=5.64": "dda/lagged",
     "close-packed-strength:pulled-82 m=6.86e-07": "dem/default",
+    "confined-strength:two ks=4.39e6 mu_p=0.554 m=3.53e-6": "dem/published",
     "close-packed-strength:pulled-82 kn=6.07e7 ks=3.04e6": "dem/published",
     "close-packed-strength:pulled-82 kn=2.16e7 rate=0.588": "dem/published",
     "wedge:xi-1 dip=36.5 xi=0.71 held=0.622 g=9.68": "rigid/default",

@@ -7,8 +7,8 @@ import pytest
 
 from adapters.dem import ADAPTER
 from cases.bonds.confined_strength import CASE
-from vv.ask import Knobs
-from vv.case import Ladder, Scalar
+from vv.ask import Knobs, Method
+from vv.case import Exact, Ladder, Scalar
 
 WEAK = {"fx": 5.0, "mu_p": 0.21, "fs0": 14.0, "eta": 4.0}
 
@@ -22,6 +22,23 @@ def test_weak_bonds_are_seen_to_slide_where_they_do(tmp_path: Path) -> None:
     assert [one.observe(run) for one in judged] == pytest.approx(
         [one.reference for one in judged], rel=1e-6
     )
+
+
+@pytest.mark.parametrize(
+    "given", [{}, {"eta": 20.0}, {"rate": -120.0}, {"ks": 4.39e6, "mu_p": 0.554}]
+)
+def test_what_viscosity_leaves_is_that_of_a_load_on_the_base(
+    given: dict[str, float], tmp_path: Path
+) -> None:
+    """Over twice the square of viscosity and rate, and on bonds that slide late."""
+    trial = CASE.declare("two", {**CASE.defaults("two"), **given})
+    (run,) = ADAPTER.run([cast(Ladder, trial.study).ask(Knobs(dt=4e-8))], "default", tmp_path, 0.0)
+    for one in (it for it in trial.quantities if it.name.startswith("C_u")):
+        assert isinstance(one, Scalar)
+        assert isinstance(one.judge, Exact)
+        assert isinstance(one.reference, float)
+        error = abs(one.observe(run) / one.reference - 1.0)
+        assert 0.35 < error / one.judge.tolerance(Method.SECOND_ORDER).value < 0.65
 
 
 @pytest.mark.parametrize(
