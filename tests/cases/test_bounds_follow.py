@@ -29,6 +29,8 @@ RIGHT = {
     "shaken-corner:viscous z=0.0521 zn=0.179": "dem/published",
     "shaken-corner:viscous m=2.83 zn=0.291 g=27.5": "dem/published",
     "shaken-corner:viscous z=0.15 zn=0.3": "dem/published",
+    "shaken-corner:viscous z=0.35": "dem/default",
+    "shaken-corner:viscous zn=0.38": "dem/default",
     "single-contact:T4 r=28.8": "dem/published",
     "slow-slide:held m=7030 mu=0.598 g=19.1": "dda/default",
     "slow-slide:held m=3420 mu=0.695 v0=0.0227 g=11.2": "dem/default",

@@ -16,6 +16,10 @@ DRAGGED = (
     ", drag among them, whose work in that time is z w dt m v^2 of the energy kn u^2/2 in each "
     "wall and m v^2/2"
 )
+SLOWED = (
+    ", and m a^2 dt^2/8 of the acceleration a = 2 z w v by drag, of the energy kn u^2/2 in each "
+    "wall and m v^2/2"
+)
 STEPS = (0.2, 0.1, 0.05, 0.025)  # times w
 
 
@@ -61,9 +65,15 @@ def balance(p: Parameters, unit: float, step: float, own: bool, one: bool) -> Sc
     """unit: 1/w [s]; step: the coarsest, times w; own: see `judge`; one: there is one wall."""
     exact = Tolerance(1e-12, "no event: only rounding errors remain")
     late = "the error of the first half step, since no contact opens or slips"
-    second = Tolerance(step**2 / 200, f"{late}: some (w dt)^2/200", dt=step * unit, order=2)
     square = float(SPEED[: 2 if one else 3] @ SPEED[: 2 if one else 3])
-    dragged = 0.0 if own else (p["z"] + p["zn"]) * 2 * square / ((1 if one else 3) + square)
+    drag, moving = p["z"] + p["zn"], square / ((1 if one else 3) + square)
+    slowed = 0.0 if own else drag**2 * moving
+    second = Tolerance(
+        step**2 * (1 / 200 + slowed),
+        f"{late}: some (w dt)^2/200{'' if own else SLOWED}",
+        dt=step * unit, order=2,
+    )  # fmt: skip
+    dragged = 0.0 if own else drag * 2 * moving
     first = Tolerance(
         step * (1 / 40 + dragged),
         f"{late}; forces start half a step late{'' if own else DRAGGED}",
