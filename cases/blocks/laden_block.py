@@ -8,7 +8,7 @@ from cases._energy_balance import balance
 from cases._penalty import levels
 from cases._sines import harmonic
 from cases.blocks.parts._laden_bounds import DRIFTS, books, rises, slips, speeds
-from cases.blocks.parts._laden_drives import Driven
+from cases.blocks.parts._laden_drives import STEP, Driven
 from reference_solutions.blocks import laden_block
 from reference_solutions.contact.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Observable, Velocity
@@ -113,7 +113,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
     way = Motion(SEEN[0], axes, lambda t: _motion(p, t)[0], times, "m")
     speed = Motion(SEEN[1], axes, lambda t: _motion(p, t)[1], times, "m/s")
     mass = 2 * DENSITY * SIDE**2 * HALF[variant]
-    by = _driven(p, mass, way.size, speed.size)
+    late = STEP if variant == "level" else 0.0  # a leapfrog that starts late has no rotations
+    by = _driven(p, mass, way.size, speed.size, late)
+    _require_closed(by)
     parts = (
         way.component(0, "slip", "displacement along the slip", slips(by)),
         way.component(1, "rise", "displacement along the normal of the slope", rises(by)),
@@ -125,7 +127,17 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(Ladder(_scene(variant, p), goal, SEEN, levels(Knobs(1e-4, 1e9))), parts)
 
 
-def _driven(p: Parameters, mass: float, way: float, speed: float) -> Driven:
+def _require_closed(by: Driven) -> None:
+    """Raise ValueError where the oscillation on the softest springs would open the contact."""
+    least, swing = float(by.pressed.min()), by.w * by.begins
+    if not least > swing:
+        raise ValueError(
+            f"pressure = {least:.6g} m/s2 at the least; it must be above {swing:.6g} m/s2, by "
+            "which the softest springs oscillate, so that they press all the time"
+        )
+
+
+def _driven(p: Parameters, mass: float, way: float, speed: float, late: float) -> Driven:
     """What drives the block, and its accelerations by differences of its velocity."""
     fine = np.linspace(0.0, p["duration"], 1 + int(np.ceil(10 * FINE * p["duration"])))
     drives, (one, other, _, lifted) = _drives(p), _sines(p)
@@ -135,7 +147,7 @@ def _driven(p: Parameters, mass: float, way: float, speed: float) -> Driven:
         times=fine, pressed=laden_block.pressure(fine, **drives), steady=-drives["constant"][1],
         pulled=np.gradient(_motion(p, fine)[1][:, :2], fine, axis=0),
         drives=np.stack(parted, axis=1), mass=mass, mu=p["mu"],
-        way=way, speed=speed, gap=APART,
+        way=way, speed=speed, gap=APART, late=late,
     )  # fmt: skip
 
 

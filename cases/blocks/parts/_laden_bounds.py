@@ -23,13 +23,15 @@ BOOKED = Tolerance(
 )
 SINKS = (
     "a spring that carries all loads at the start sinks by (p - p0)/w^2 more as the pressure p "
-    "changes, and oscillates by p'/w^3, w^2 = kn/m; four springs that carry the dead loads alone "
-    "sink by (p - p_s)/(2 w)^2 and oscillate by the sudden part (p0 - p_s)/(2 w)^2 as well"
+    "changes, and oscillates by p'(0)/w^3 and p''/w^4, and by a(0) dt/(2 w) where the motion "
+    "starts half a step late, w^2 = kn/m; four springs that carry the dead loads alone sink by "
+    "(p - p_s)/(2 w)^2 and oscillate by the sudden part (p0 - p_s)/(2 w)^2 as well"
 )
 SWINGS = (
     "a spring that carries all loads at the start sinks at p'/w^2 as the pressure p changes, and "
-    "oscillates as fast, w^2 = kn/m; four springs that carry the dead loads alone oscillate by the "
-    "sudden part (p0 - p_s)/(2 w) as well"
+    "oscillates at p'(0)/w^2 and p''/w^3, and at a(0) dt/2 where the motion starts half a step "
+    "late, w^2 = kn/m; four springs that carry the dead loads alone oscillate by the sudden part "
+    "(p0 - p_s)/(2 w) as well"
 )
 RUBS = "; friction is mu times the pressure, and so is what it adds to the motion"
 LAGS = (

@@ -20,6 +20,7 @@ class Driven:
     pressed (k,) [m/s2]: the pressure over mass, and steady: the part by dead loads. pulled (k, 2)
     [m/s2]: accelerations along the slip and the normal. drives (k, 3) [m/s2]: the parts of that
     along the slip by shaking and lift. way [m], speed [m/s]: the largest ones. gap [m]: at t = 0.
+    late [s]: the step by half of which a motion may start late.
     """
 
     times: Vector
@@ -32,6 +33,7 @@ class Driven:
     way: float
     speed: float
     gap: float
+    late: float
 
     @functools.cached_property
     def jerks(self) -> Vector:
@@ -44,9 +46,27 @@ class Driven:
         return float(np.sqrt(SOFT / self.mass))
 
     @functools.cached_property
+    def rates(self) -> Vector:
+        """The rates of change (k,) of the pressure over mass [m/s3]."""
+        return np.asarray(np.gradient(self.pressed, self.times, edge_order=2))
+
+    @property
     def rate(self) -> float:
         """The largest rate of change of the pressure over mass [m/s3]."""
-        return float(np.abs(np.gradient(self.pressed, self.times)).max())
+        return float(np.abs(self.rates).max())
+
+    @functools.cached_property
+    def begins(self) -> float:
+        """The largest velocity [m/s] of the oscillation on one of the softest springs.
+
+        From integration by parts, a spring that carries the pressure p0 at the start oscillates
+        with the velocity p'(0)/w^2, and by p''(0)/w^3 and p''(t)/w^3 more. A leapfrog whose first
+        velocity is that of t = 0 is half a step late, by the acceleration a(0) dt/2 of the slope:
+        steps of a cube are 0.2/w at most at each stiffness, so that this falls as 1/w too.
+        """
+        curved = np.abs(np.gradient(self.rates, self.times, edge_order=2))
+        first = abs(self.rates[0]) / self.w**2 + abs(self.pulled[0, 1]) * self.late / 2.0
+        return float(first + (curved[0] + curved.max()) / self.w**3)
 
     @functools.cached_property
     def sinks(self) -> tuple[float, float]:
@@ -56,9 +76,9 @@ class Driven:
         more, all_of_it = (np.abs(self.pressed - p).max() for p in (self.pressed[0], self.steady))
         several = np.sqrt(CORNERS) * w
         return (
-            float(max(more / w**2 + rate / w**3,
+            float(max(more / w**2 + self.begins / w,
                       (all_of_it + sudden) / several**2 + rate / several**3)),
-            float(max(2 * rate / w**2, sudden / several + 2 * rate / several**2)),
+            float(max(rate / w**2 + self.begins, sudden / several + 2 * rate / several**2)),
         )  # fmt: skip
 
     @functools.cached_property
