@@ -106,6 +106,12 @@ sweeps are stuck; it grows tenfold with each round. In large scenes many slips c
 over 18 steps, the soft start met the residual, or found that it could not be reduced, with two
 thirds as many Newton steps."""
 
+WEDGED, REFINED, GRAINS = 1e3, 12, 2.0**-49
+"""The velocity by one impulse alone, over that by all together, above which blocks are wedged, and
+their velocities are refined until they change by rounding only; most rounds of that; and this
+rounding, over the largest velocity. The residual asked leaves an error of this ratio times itself.
+"""
+
 ROUNDS, SOFTEST, FIRMEST = 100, 1e-3, 1e4
 """Most Newton rounds of a step that nothing else solved; and the stiffness of contacts over inertia
 below which they are given up, and above which it does not grow. Three steps of a facade with

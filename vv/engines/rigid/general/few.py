@@ -24,6 +24,7 @@ from vv.engines.rigid.limits import (
 from vv.engines.rigid.solver.assembly import apply_nonzero
 from vv.engines.rigid.solver.cone import Problem, copy_rows, residual, solve_contacts
 from vv.engines.rigid.solver.newton import newton_round
+from vv.engines.rigid.solver.wedged import refine_wedged
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -40,12 +41,14 @@ class Limits(NamedTuple):
 
 @called
 def solve_few(limits: Limits, problem: Problem, fewest: int, tolerance: float) -> tuple[int, float]:
-    """Iterate impulses until the residual is at most `tolerance` [m/s].
+    """Iterate impulses until the residual is at most `tolerance` [m/s]; refine wedged blocks.
 
     Returns the number of sweeps and the residual.
     """
     place = in_order(limits.blocks)
-    return solve_chained(limits, problem, fewest, tolerance, place)
+    sweeps, left = solve_chained(limits, problem, fewest, tolerance, place)
+    free_v, free_w = velocities_without(problem)
+    return sweeps, refine_wedged(problem, free_v, free_w, left, place)
 
 
 @called

@@ -132,6 +132,20 @@ def newton_round(
 ) -> bool:
     """Fill p with the impulses after a round from q (c, 3), whose effect is in v, w.
 
+    Returns whether the iteration converged, see `newton_solution`.
+    """
+    x, y = same_rows(problem.v, len(problem.v)), same_rows(problem.w, len(problem.w))
+    return newton_solution(problem, q, tolerance, stiffness, place, x, y)
+
+
+@called
+def newton_solution(
+    problem: Problem, q: Vector, tolerance: float, stiffness: float, place: Index,
+    x: Vector, y: Vector,
+) -> bool:  # fmt: skip
+    """Fill p with the impulses after a round, and x, y (b, 3) with the velocities and spins.
+
+    x, y start from their first guess, and q (c, 3) from the impulses whose effect is in v, w.
     Returns whether the iteration converged: no velocity changed by more than a tenth of the
     tolerance [m/s] in the last step. place: see `band_ordering`. It is one function since assembly,
     solution and update share its arrays.
@@ -141,7 +155,6 @@ def newton_round(
     blocks = len(place)
     rows_of, m = equation_numbers(bodies, place)
     half, lever = half_width(joints, rows_of, blocks), longest_arms(joints, blocks)
-    x, y = same_rows(v, len(v)), same_rows(w, len(w))
     z, o = rows(len(v)), rows(len(w))
     slope, right, matrix = zero_squares(1)[0], numbers(m), table(m, 3 * half + 1)
     for _ in range(INNER):
