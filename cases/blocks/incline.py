@@ -121,7 +121,7 @@ def _dip_and_strike(p: Parameters, scene: Scene, goal: History) -> tuple[Quantit
         BLOCK, scene.axes[:2], path, goal.times(None), "m", _incline_bounds.free_fall(p)
     )
     swept = scene.unknowns() > len(scene.axes)
-    along, aside = _incline_bounds.in_two_directions(p, swept)
+    along, aside = _incline_bounds.in_two_directions(p, swept, motion.size)
     return (
         motion.component(0, "d", "displacement down the dip", along),
         motion.component(1, "s", "displacement along the strike", aside),

@@ -36,6 +36,8 @@ RIGHT = {
     "slow-slide:held m=3420 mu=0.695 v0=0.0227 g=11.2": "dem/default",
     "slow-slide:slope mu=0.702 g=22.3": "dda/default",
     "incline:two-way phi=76.6": "rigid/default",
+    "incline:two-directions alpha=38.49 duration=10.11": "exact/second-order",
+    "incline:two-directions alpha=43.18 A=1.317": "exact/second-order",
     "bounce:held kn=1.41e10": "dem/default",
     "bounce:floor r1=90": "dem/published",
     "bounce:held kn=2e7": "dem/published",

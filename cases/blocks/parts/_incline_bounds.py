@@ -81,10 +81,13 @@ def _reversing_late(p: Parameters, lagging: Tolerance) -> Tolerance:
     )
 
 
-def in_two_directions(p: Parameters, swept: bool) -> tuple[Exact, Exact]:
-    """Along dip and strike; swept: sweeps over the four corners of a plate solve its contacts."""
+def in_two_directions(p: Parameters, swept: bool, slid: float) -> tuple[Exact, Exact]:
+    """Along dip and strike; swept: sweeps over the four corners of a plate solve its contacts.
+
+    slid: the largest displacement [m].
+    """
     springs = _on_springs(_stopping(p, CORNERS if swept else ONE_WAY))
-    rigid = {Method.SECOND_ORDER: _rotating(p, swept), Method.FIRST_ORDER: _half_steps(p)}
+    rigid = {Method.SECOND_ORDER: _rotating(p, swept, slid), Method.FIRST_ORDER: _half_steps(p)}
     both = {**springs, **rigid}
     aside = {m: dataclasses.replace(one, slack=one.slack or ASIDE) for m, one in both.items()}
     return Exact(both), Exact(aside)
@@ -206,13 +209,17 @@ def _turning(p: Parameters) -> Tolerance:
     )
 
 
-def _rotating(p: Parameters, swept: bool) -> Tolerance:
+def _rotating(p: Parameters, swept: bool, slid: float) -> Tolerance:
     """For second order, where the direction of slip rotates."""
     left = "; iterations over four contacts leave a residual in each of 240 000 steps"
+    fastest = max(p["f"], p["fy"])
+    shaken = (p["A"] / p["f"] ** 2 + p["Ay"] / p["fy"] ** 2) / (2.0 * np.pi) ** 2
+    swings = max(1.0, fastest * p["duration"]) * float(shaken) / slid
     return capped(
-        _sine_error(max(p["f"], p["fy"])),
+        _sine_error(fastest, max(1.0, swings)),
         "where the direction of slip rotates, friction acts along its mean direction over a step, "
-        f"an error of (w dt)^2/12; twice that is allowed{left if swept else ''}",
+        "an error of (w dt)^2/12 of the slip, or of the amplitudes A/w^2 of the shaking in each "
+        f"cycle if they are larger; twice that is allowed{left if swept else ''}",
         dt=STEP,
         order=2,
         floor=3e-7 if swept else 1e-8,
