@@ -92,9 +92,12 @@ FIRST = {
     "single-contact:T1 exact/default": Status.RAN,
     "single-contact:T2 exact/default": Status.RAN,
     "single-contact:T1 exact/linearised": Status.REFUSED,
+    "single-contact:T1 exact/second-order": Status.REFUSED,
     "single-contact:T2 exact/linearised": Status.REFUSED,
+    "single-contact:T2 exact/second-order": Status.REFUSED,
     "rocking:released exact/default": Status.REFUSED,
     "rocking:released exact/linearised": Status.REFUSED,
+    "rocking:released exact/second-order": Status.REFUSED,
 }
 
 
