@@ -98,3 +98,6 @@ PATIENT = 12
 
 Until then springs become stiffer, since gaps within rounding say nothing about friction.
 """
+
+EIGHTHS = 8
+"""Steps in which friction grows to mu N where a pass converges from no other start."""

@@ -18,12 +18,11 @@ from vv.engines.dda.general.augmented.forces import (
     shorten_springs,
     take_over_forces,
 )
+from vv.engines.dda.general.augmented.restarts import go_back, iterate_anew, restart_sticking
 from vv.engines.dda.general.bodies import Bodies, Motion
 from vv.engines.dda.general.contact import (
-    States,
     Touch,
     opening,
-    restore_states,
     states_of,
 )
 from vv.engines.dda.general.energy import (
@@ -40,7 +39,7 @@ from vv.engines.dda.law import SLIDE, STICK
 from vv.engines.dda.limits import HELD, PATIENT, SLOW, STUCK
 from vv.engines.kernels.arrays import larger, same_numbers, smaller
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot
 from vv.scene import Vector
 
 
@@ -54,22 +53,6 @@ def energy_of_fall(bodies: Bodies, reach: float) -> float:
     for i in range(len(bodies.mass)):
         total += reach * length(add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i)))
     return total
-
-
-@lent
-def restart_sticking(touch: Touch) -> None:
-    """Restart with all contacts sticking: for a jammed block no slipping state has a solution."""
-    for k in range(len(touch.key)):
-        touch.state[k], touch.push[k] = STICK, 0.0
-        put(touch.spring, k, NOWHERE)
-
-
-@lent
-def go_back(touch: Touch, kept: States, work: Work, u: Vector) -> None:
-    """Set contacts and the unknowns `work.u` to what they were before a pass."""
-    restore_states(touch, kept)
-    for a in range(len(u)):
-        work.u[a] = u[a]
 
 
 @called
@@ -108,10 +91,10 @@ def iterate_multipliers(
 
     The stiffnesses of springs are first raised by `firm_springs`, and again after passes that leave
     more than SLOW of the forces, unless the rest is rounding and friction has rotated with the
-    slip. A pass that does not converge is repeated once with all contacts sticking; where it
-    follows one that left rounding alone, that one is the solution. At the end springs are softened
-    again, see `iterate_softly`. The normal forces in touch become the multipliers, and its springs
-    the tangential multipliers over ks.
+    slip. A pass that does not converge is repeated once with all contacts sticking, and those after
+    it, see `iterate_anew`; where it follows one that left rounding alone, that one is the solution.
+    At the end springs are softened again, see `iterate_softly`. The normal forces in touch become
+    the multipliers, and its springs the tangential multipliers over ks.
     """
     most, kn, ks = setting.choices.multipliers, setting.law.kn, setting.law.ks
     gap = gaps_beyond_rounding(touch, motion)
@@ -125,6 +108,9 @@ def iterate_multipliers(
         kept, u = states_of(touch), same_numbers(work.u, len(work.u))
         still, more, trial = iterate(touch, work, setting, motion, law, part)
         solved, passes = solved + more, passes + 1
+        if anew and not still:
+            still, more, trial = iterate_anew(touch, kept, work, setting, motion, law, part)
+            solved += more
         force, off, turns = take_over_forces(touch, trial, gap, work.u, law)
         slow, close = off > SLOW * before, still and off <= HELD * force
         undone = not still and before <= firm * blur
