@@ -108,6 +108,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(
             f"u = {p['u']!r} m; it must be below a tenth of the radius, {RADIUS / 10:g} m"
         )
+    if not p["z"] + p["zn"] < 1:
+        raise ValueError(
+            f"z + zn = {p['z'] + p['zn']!r}; it must be below 1, so that the sphere oscillates"
+        )
     one, unit = variant == "wall", 1 / _rate(p)
     scene, goal = _scene(variant, p), History(LASTS * unit, SEEN * unit)
     seen = Displacement(1) if one else Displacement(3)
@@ -124,10 +128,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
     levels = {
         level: tuple(Knobs(dt=one * finer) for one in steps) for level, steps in RUNGS.items()
     }
-    ladder = Ladder(scene, goal, (seen,), levels)
-    return Trial(
-        ladder, (*parts, motion.distance(judge), _shaken_bounds.balance(p, unit, step, own, one))
-    )
+    distance = motion.distance(_shaken_bounds.judge(p, unit, step, own, len(parts)))
+    balance = _shaken_bounds.balance(p, unit, step, own, one)
+    return Trial(Ladder(scene, goal, (seen,), levels), (*parts, distance, balance))
 
 
 FORMULA = (

@@ -20,12 +20,28 @@ SLOWED = (
     ", and m a^2 dt^2/8 of the acceleration a = 2 z w v by drag, of the energy kn u^2/2 in each "
     "wall and m v^2/2"
 )
+STRONG = (
+    "; drag changes frequency and decay by sqrt(1 + 8 z^2)/s (w dt)^2/24, s^2 = 1 - z^2, and an "
+    "amplitude v/(w s) reaches only v/w exp(-z acos(z)/s); axes reach their largest displacements "
+    "at different times, so that a length is off by up to sqrt(3) times as much"
+)
 STEPS = (0.2, 0.1, 0.05, 0.025)  # times w
 
 
 def _late(p: Parameters, step: float) -> float:
     """The error of drag with the velocity half a step before; step: times w."""
     return step / (2 * math.e) + (p["z"] + p["zn"]) * step * (3 / 2 + 1 / math.e)
+
+
+def _damped(p: Parameters) -> float:
+    """How many times larger drag makes the error of the free oscillation.
+
+    With drag at its middle a step has the roots of r^2 + 2 z r + 1 = -(w dt)^2 (r^4/12 + z r^3/3).
+    """
+    z = p["z"] + p["zn"]
+    slower = math.sqrt(1 - z * z)
+    peak = math.exp(-z * math.acos(z) / slower)
+    return math.sqrt(1 + 8 * z * z) / slower / (slower * peak)
 
 
 def coarsest(p: Parameters) -> float:
@@ -36,18 +52,20 @@ def coarsest(p: Parameters) -> float:
     return step
 
 
-def judge(p: Parameters, unit: float, step: float, own: bool) -> Exact:
+def judge(p: Parameters, unit: float, step: float, own: bool, axes: int = 1) -> Exact:
     """unit: 1/w [s]; step: the coarsest, times w; own: whether the parameters are the case's, at
-    which errors of late drag partly cancel; errors are relative to the largest displacement."""
+    which errors of late drag partly cancel; axes: how many of them the error is the length of, each
+    with an error relative to its own largest displacement."""
+    strong = 1.0 if own else _damped(p) * math.sqrt(axes)
     damping = max(p["z"] + p["zn"], 1 / (math.e * LASTS))
     return Exact({
         Method.EXACT: Tolerance(1e-12, "no event occurs: only rounding errors over a time of 40/w "
                                 "remain"),
         Method.SECOND_ORDER: Tolerance(
-            step**2 / (24 * math.e * damping) + step**2 / 8,
+            step**2 * strong / (24 * math.e * damping) + step**2 / 8,
             "the phase of the oscillation has a relative error of (w dt)^2/24, which counts most "
             "when the amplitude has decayed by a factor of e; drag and steady motion have errors "
-            "of some (w dt)^2/8",
+            f"of some (w dt)^2/8{'' if own else STRONG}",
             dt=step * unit, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
