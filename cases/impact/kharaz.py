@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from cases.impact._oblique import Impacts, at_angles, judged
+from cases.impact.parts._oblique import Impacts, at_angles, judged
 from reference_solutions.impact import hertz
 from reference_solutions.impact.rebound import Sphere
 from vv.ask import History, Knobs

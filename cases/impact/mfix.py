@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cases.impact import _dem05, _printed
+from cases.impact.parts import _dem05, _printed
 from reference_solutions.impact import pressed_pair, slip_to_roll
 from reference_solutions.impact.dropped import Drop, path
 from reference_solutions.impact.sinking import Sinking, motion

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
-from cases.impact._oblique import LEAST, Blow, Impacts, at_angles, judged
+from cases.impact.parts._materials import CHUNG_OOI_2011, defaults, mass, moduli
+from cases.impact.parts._oblique import LEAST, Blow, Impacts, at_angles, judged
 from reference_solutions.impact import hertz, spring, viscous
 from reference_solutions.impact.rebound import WALL, Sphere
 from vv.ask import History, Knobs

@@ -9,14 +9,14 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._energy_balance import balance
-from cases.impact._materials import (
+from cases.impact.parts._materials import (
     CHUNG_OOI_2011,
     defaults,
     mass,
     moduli,
     require_shallow,
 )
-from cases.impact._peaks import growth, smooth_maximum
+from cases.impact.parts._peaks import growth, smooth_maximum
 from reference_solutions.impact import hertz, spring, viscous
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (

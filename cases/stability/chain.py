@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cases.stability._phase import MORE, HastenedTolerance, hastened
-from cases.stability._pulse import FAR, NEAR, Pulse, returned_energy, speed
+from cases.stability.parts._phase import MORE, hastened
+from cases.stability.parts._pulse import FAR, NEAR, Pulse, returned_energy, speed
 from reference_solutions.contact import chain as closed
 from vv.ask import History, Knobs, Method, Observable, Run, Velocity
 from vv.case import (
@@ -193,10 +193,13 @@ def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
 
 def _turning(w: float, coarsest: float, rounding: float) -> Exact:
     """For the frequency w [1/s] of a mode, which a leapfrog has at every step below 2/w."""
-    bound = MORE * hastened(w * coarsest)
-    floor = _floor(bound, rounding)
-    own = HastenedTolerance(bound, TURNS, dt=coarsest, order=2, floor=floor, frequency=w)
-    return _judge(own, rounding)
+
+    def bound(dt: float) -> float:
+        return MORE * hastened(w * dt)
+
+    own = bound(coarsest)
+    floor = _floor(own, rounding)
+    return _judge(Tolerance(own, TURNS, coarsest, order=2, floor=floor, least=bound), rounding)
 
 
 def _stepped(bound: float, coarsest: float, reason: str, rounding: float) -> Exact:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cases.stability._tip import PARAMETERS, Z, frequency, rounded, scene
+from cases.stability.parts._tip import PARAMETERS, Z, frequency, rounded, scene
 from reference_solutions.blocks import generalised_alpha as theory
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.stability._tip import PARAMETERS, Z, frequency, rounded, scene
+from cases.stability.parts._tip import PARAMETERS, Z, frequency, rounded, scene
 from reference_solutions.blocks import implicit_step as theory
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (

@@ -41,6 +41,7 @@ from vv.case.study import (
     has_setting,
     knob_grid,
     knobs_in_scene,
+    settings_of,
     why_too_long,
 )
 from vv.case.wide_bounds import capped, shown_if_wide
@@ -92,6 +93,7 @@ __all__ = [
     "largest_step",
     "last_stable_step",
     "remembered",
+    "settings_of",
     "shown_if_wide",
     "why_too_long",
 ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from vv.ask import Knobs, Method
@@ -33,7 +33,8 @@ class Tolerance:
     step is added, for events that take effect only at whole steps. The bound is never below `floor`
     nor, at a case's own parameters and settings, above LARGEST_TOLERANCE. slack: the reason, if the
     bound is more than a hundred times the error that codes reach. over: how many times larger the
-    bound is than `value`, if that is cut at LARGEST_TOLERANCE; see `vv.case.capped`. Raises
+    bound is than `value`, if that is cut at LARGEST_TOLERANCE; see `vv.case.capped`. least: the
+    least bound at a step [s], for an error that grows faster than dt**order in long steps. Raises
     ValueError naming the field, the value and the rule.
     """
 
@@ -47,6 +48,7 @@ class Tolerance:
     softness: float = 0.0
     late: float = 0.0
     over: float = 1.0
+    least: Callable[[float], float] | None = None
 
     def __post_init__(self) -> None:
         if not 0 < self.value <= LARGEST_TOLERANCE:
@@ -84,7 +86,8 @@ class Tolerance:
         if self.kn is not None and knobs.kn is not None:
             bound *= (self.kn / knobs.kn) ** self.softness
         bound += self.late * (knobs.dt or 0.0)
-        return max(self.floor, bound)
+        steep = self.least(knobs.dt) if self.least is not None and knobs.dt is not None else 0.0
+        return max(self.floor, bound, steep)
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import enum
+import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from vv.ask import Ask, Bracket, History, Knobs, Observable, SearchVariable
@@ -181,11 +182,16 @@ def why_too_long(
     )
 
 
+def settings_of(study: Ladder | Search | Grid, knobs: Knobs) -> Iterator[Knobs]:
+    """The settings of a study at all levels, with those knobs alone that `knobs` has too."""
+    names = [name for name, value in vars(knobs).items() if value is not None]
+    for one in itertools.chain(*study.rungs.values()):
+        yield Knobs(**{name: getattr(one, name) for name in names})
+
+
 def has_setting(study: Ladder | Search | Grid, knobs: Knobs) -> bool:
     """Whether knobs are a setting of a study at any level, as far as a scheme has them."""
-    asked = {name: value for name, value in vars(knobs).items() if value is not None}
-    every = (one for level in study.rungs.values() for one in level)
-    return any(all(getattr(one, name) == asked[name] for name in asked) for one in every)
+    return knobs in settings_of(study, knobs)
 
 
 def knobs_in_scene(study: Ladder | Search | Grid) -> tuple[str, ...]:

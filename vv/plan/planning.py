@@ -18,10 +18,12 @@ from vv.case import (
     Level,
     Quantity,
     Series,
+    Study,
     Trial,
     error_scale,
     evaluated,
     knobs_in_scene,
+    settings_of,
     why_too_long,
 )
 from vv.codes.adapter import Adapter, Found, Scheme, known_beforehand, no_steps
@@ -90,25 +92,21 @@ def _declared(case: Case, variant: str, options: Options) -> _Declared:
     trial = declare_trial(case, variant, parameters)
     if not trial.study.scene.contact.rigid and any(rung.kn for rung in options.rungs):
         raise UsageError(f"{case.name}:{variant} has a contact stiffness of its own; leave out kn")
-    own = [one for level in trial.study.rungs.values() for one in level]
-    chosen = tuple(_as_in_the_case(rung, own) for rung in options.rungs)
+    chosen = tuple(_as_in_the_case(rung, trial.study) for rung in options.rungs)
     rungs = chosen or trial.study.rungs[options.level]
     return _Declared(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
 
 
-def _as_in_the_case(asked: Knobs, own: Iterable[Knobs]) -> Knobs:
+def _as_in_the_case(asked: Knobs, study: Study) -> Knobs:
     """A setting, with the last digits of the case's own where it is that to twelve digits.
 
     Findings and tables name settings by twelve digits, and so do commands that run one again.
     """
-    given = {name: value for name, value in vars(asked).items() if value is not None}
-    for one in own:
-        same = {name: getattr(one, name) for name in given}
-        if all(
-            have is not None and f"{have:.12g}" == f"{given[n]:.12g}" for n, have in same.items()
-        ):
-            return Knobs(**same)
-    return asked
+
+    def digits(knobs: Knobs) -> list[str]:
+        return [f"{value:.12g}" for value in vars(knobs).values() if value is not None]
+
+    return next((one for one in settings_of(study, asked) if digits(one) == digits(asked)), asked)
 
 
 def finest_ask(case: Case, variant: str, options: Options) -> Ask:

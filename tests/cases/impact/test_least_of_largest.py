@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cases.impact._oblique import least_of_largest
+from cases.impact.parts._oblique import least_of_largest
 
 NUMBERS = st.lists(st.floats(0.0, 1.0), min_size=1, max_size=4)
 

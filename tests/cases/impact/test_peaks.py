@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cases.impact._peaks import growth, smooth_maximum
+from cases.impact.parts._peaks import growth, smooth_maximum
 
 PARABOLA = 3.0 - (np.arange(6.0) - 2.25) ** 2
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cases.impact import mfix
-from cases.impact._printed import FALLS, TOPS
+from cases.impact.parts._printed import FALLS, TOPS
 from reference_solutions.impact.dropped import Drop, path
 from reference_solutions.impact.sinking import Sinking, motion
 from vv.ask import Displacement, Observable, Run, Status, Velocity

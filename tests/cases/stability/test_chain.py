@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cases.stability._pulse import Pulse, returned_energy
+from cases.stability.parts._pulse import Pulse, returned_energy
 from reference_solutions.checks.contact import chain as stepped
 from reference_solutions.contact import chain as closed
 from tests.support.turned_signs import caught, signs, turned

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cases.impact import oblique_impact
-from cases.impact._oblique import ARMS, SPRINGS, Choice
+from cases.impact.parts._oblique import ARMS, SPRINGS, Choice
 from tests.findings.figures import PROJECT, asked
 from tests.support.installed import require
 from vv.case import Level

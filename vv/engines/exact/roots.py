@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vv.engines.kernels.compiled import compiled, lent
+from vv.engines.kernels.compiled import compiled, inlined, lent
 from vv.scene import Vector
 
 EPS = 2.0**-52
@@ -70,18 +70,26 @@ def _zero_of_descent(c: Vector, low: float, high: float) -> float:
     x = high
     for _ in range(60):
         p, slope, _ = _value(c, x)
-        if p < 0:
-            high = x
-        else:
-            low = x
-        guess = x - p / slope if slope < 0 else math.nan
-        if not guess <= high:
-            guess = (low + high) / 2
-        guess = max(guess, low)
+        low, high, guess = narrowed(low, high, x, p, slope)
         if abs(guess - x) <= EPS * high:
             return guess
         x = guess
     return x
+
+
+@inlined
+def narrowed(
+    low: float, high: float, x: float, p: float, slope: float
+) -> tuple[float, float, float]:
+    """The bracket [low, high] of a descent through 0 after p at x, and Newton's next x in it."""
+    if p < 0:
+        high = x
+    else:
+        low = x
+    guess = x - p / slope if slope < 0 else math.nan
+    if not guess <= high:
+        guess = (low + high) / 2
+    return low, high, max(guess, low)
 
 
 @lent

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from vv.engines.exact.roots import EPS, safe_step
+from vv.engines.exact.roots import EPS, narrowed, safe_step
 from vv.engines.kernels.compiled import inlined, lent
 from vv.scene import Vector
 
@@ -162,14 +162,7 @@ def _bracketed(
     x = high
     for _ in range(MOST_LOOKS if low < high else 0):
         p, slope, _, _ = look(slips, start, row, turn, wave, x)
-        if p < 0.0:
-            high = x
-        else:
-            low = x
-        guess = x - p / slope if slope < 0.0 else math.nan
-        if not guess <= high:
-            guess = (low + high) / 2
-        guess = max(guess, low)
+        low, high, guess = narrowed(low, high, x, p, slope)
         if abs(guess - x) <= EPS * high:
             return guess
         x = guess

@@ -20,11 +20,7 @@ from vv.engines.dda.general.augmented.forces import (
 )
 from vv.engines.dda.general.augmented.restarts import go_back, iterate_anew, restart_sticking
 from vv.engines.dda.general.bodies import Bodies, Motion
-from vv.engines.dda.general.contact import (
-    Touch,
-    opening,
-    states_of,
-)
+from vv.engines.dda.general.contact import Touch, opening, states_of
 from vv.engines.dda.general.energy import (
     CREATED,
     DEEPEST,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from cases.impact import _printed, kharaz
-from cases.impact._oblique import Impacts, at_angles
+from cases.impact import kharaz
+from cases.impact.parts import _printed
+from cases.impact.parts._oblique import Impacts, at_angles
 from reference_solutions.impact.rebound import Sphere
 from vv.case import Parameters, Trial
 

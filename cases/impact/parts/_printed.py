@@ -12,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from cases.impact._oblique import Impacts
+from cases.impact.parts._oblique import Impacts
 from vv.ask import Displacement, Run, Velocity
 from vv.case import CodeToCode, Parameters, Printed, Scalar
 from vv.scene import Vector

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from cases.impact._materials import require_shallow
+from cases.impact.parts._materials import require_shallow
 from reference_solutions.impact import hertz, micro_slip
 from reference_solutions.impact.rebound import WALL, After, Law, Sphere, rebound
 from vv.ask import Displacement, Method, Observable, Run, Velocity
