@@ -28,7 +28,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Block, Contact, Elastic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
@@ -206,14 +205,14 @@ def _roots(run: Run) -> Cvector:
 
 def _swing_bounds(quick: float, w: float) -> Exact:
     """quick: damping of all modes over that of the first mode of a bar, of frequency w [1/s]."""
-    step = capped(
+    step = Tolerance(
         max(5 / STIFF, FIRST * quick * STEPS[0]),
         "DDA's step has the damping ratio w dt/4: an error of (1 - exp(-w dt w t/4))/2 of the "
         "largest strain, 1.2 w dt after a period and a half. The damping of faster modes grows "
         "with the square of their frequency",
         dt=STEPS[0] / w, order=1, floor=5 / STIFF,
     )  # fmt: skip
-    second = capped(
+    second = Tolerance(
         max(5 / STIFF, 2.0 * quick * STEPS[0] ** 2),
         "the generalised-alpha method lowers the frequency by (w dt)^2/8, a phase error of 1.2 "
         "(w dt)^2 radians over a period and a half; the floor is the compliance of the springs at "

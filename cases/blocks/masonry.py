@@ -31,7 +31,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, polyhedron_inertia
 
@@ -132,7 +131,7 @@ def _at_rest(
 
 def _creep(p: Parameters) -> Tolerance:
     """The displacement of masonry at rest on rigid contact."""
-    return capped(
+    return Tolerance(
         max(SOLVED * p["g"] * STEP * p["duration"] / LENGTH, ROUNDING),
         "at rest, contacts are solved to 5e-8 of the speed g dt that weight gains in a step, which "
         "lasts for the whole duration",

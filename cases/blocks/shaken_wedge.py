@@ -28,7 +28,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Contact, Harmonic, Scene, Vector
 
@@ -98,8 +97,8 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
                 1e-5, "slip begins and ends on whole steps, an error of the speed of at most a dt",
                 dt=1e-3, order=1, slack="a slip may end anywhere within a step",
             ),
-            Method.PENALTY: capped(
-                sprung,
+            Method.PENALTY: Tolerance(
+                max(sprung, LOCATED),
                 "when slip begins, the shear springs release the force that they bore across the "
                 "groove, and the wedge oscillates on its sides: friction is missing for up to 1/w "
                 "of that oscillation",
@@ -116,7 +115,7 @@ def _integrated(p: Parameters, way: float) -> Tolerance:
     """For located events; way: the largest displacement [m]."""
     w = 2 * math.pi * p["f"]
     pushed = p["A"] * (1 + _mu(p) * pressing(p["xi"])) * p["duration"] / w  # m
-    return capped(
+    return Tolerance(
         max(float(pushed / way * (w * STEP) ** 2 / 6), LOCATED),
         "the trapezoidal rule gives the speed that the sine and its friction cause, up to "
         "A (1 + K mu)/w, an error of (w dt)^2/12; twice that is allowed for the whole duration. "

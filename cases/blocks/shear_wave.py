@@ -21,9 +21,9 @@ from vv.case import (
     Parameters,
     Series,
     Source,
+    Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import (
     Block,
@@ -140,7 +140,7 @@ def _layer_series(
 
 def _bounds(bound: float, late: float, reason: str) -> Exact:
     """late: the error of the step COARSE against the answer of the layers, of first order in dt."""
-    tolerance = capped(bound, reason, late=late / COARSE)
+    tolerance = Tolerance(bound, reason, late=late / COARSE)
     return Exact({Method.PENALTY: tolerance}, not_judged={Method.LAGGING: SOFTER})
 
 

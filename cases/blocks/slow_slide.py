@@ -24,7 +24,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Block, Contact, Scene, Wall, box_geometry, polyhedron_inertia
 
@@ -100,7 +99,7 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
     leaning = friction * HALF[2] ** 2 / (RESTS * STIFF[0] * HALF[0] ** 2) if turns else 0.0
     late = 0.25 / (count * stop)
     softer, stiffer = 2.5 * (stretch + leaning) / way, STIFF[0] / STIFF[-1]
-    springs = capped(
+    springs = Tolerance(
         softer * stiffer,
         "shear springs start slack, stretch by mu N/ks and swing back when the block stops; so "
         "does the block, which leans under friction at its base. The step in which it stops ends "
@@ -121,7 +120,7 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
             order=2,
             floor=ROUNDING,
         ),
-        Method.STRAIGHT: capped(
+        Method.STRAIGHT: Tolerance(
             0.25 / count**2,
             "the step in which the block stops ends at rest: the displacement that is left then is "
             "a(dt/2)^2/2 at most, (dt/T)^2/4 of the whole",

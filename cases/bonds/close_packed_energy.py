@@ -30,7 +30,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Form, Vector
 
@@ -139,7 +138,7 @@ def _met_again(p: Parameters, block: Lattice, held: float) -> Tolerance:
     crossed = max(int(((z[:, 0] - at) * (z[:, 1] - at) < 0).sum()) for at in cuts)
     one = (p["kn"] * p["xb"] * dt) ** 2 / (4 * p["m"])
     one *= 1 + 4 * p["mu_p"] ** 2 * p["kn"] / p["ks"]
-    return capped(math.sqrt(crossed) * one / held, MET, dt=dt, order=2, slack=NONE)
+    return Tolerance(math.sqrt(crossed) * one / held, MET, dt=dt, order=2, slack=NONE)
 
 
 def gap(run: Run) -> Vector:
@@ -187,7 +186,7 @@ def _elastic_energy(p: Parameters, block: Lattice, E: float, strain: float) -> S
     viscous = (drag / (E * strain * block.area)) ** 2 / 45
     # pressed, a finite strain lowers the energy that viscosity adds to
     off = viscous + strain if p["rate"] > 0 else max(viscous, strain)
-    judge = Exact(dict.fromkeys(CLASSES, capped(off, SOON)))
+    judge = Exact(dict.fromkeys(CLASSES, Tolerance(off, SOON)))
     return Scalar("E_e(half)", "E_e(half)", "J", what, observe, exact, exact, judge)
 
 

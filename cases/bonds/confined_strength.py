@@ -26,9 +26,9 @@ from vv.case import (
     Scalar,
     Shown,
     Source,
+    Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Bonds, Contact, Scene, Spheres
 
@@ -175,7 +175,7 @@ def _unsure_increase(
 
 def _bounds(value: float) -> Exact:
     """For equilibrium, apart from effects of the rate and of the oscillation."""
-    bound = capped(value, RATE)
+    bound = Tolerance(value, RATE)
     return Exact({Method.SECOND_ORDER: bound, Method.FIRST_ORDER: bound})
 
 

@@ -25,9 +25,9 @@ from vv.case import (
     Scalar,
     Shown,
     Source,
+    Tolerance,
     Trial,
     Variant,
-    capped,
 )
 
 OUTPUTS = 500  # on the way to the largest strain
@@ -99,7 +99,7 @@ def _on_path(p: Parameters, strain: float) -> Judge:
     gamma = p["gamma"]
     lags = 2 * abs(tetrahedral_unit.poisson_slope(gamma)) * 3 / (10 + 2 * gamma)
     left = 2 * lags / SCALE * p["rate"] ** 2 * p["m"] / p["kn"] / abs(strain)
-    return Exact({Method.SECOND_ORDER: capped(max(4e-7, left), SLOW, slack=SLACK)})
+    return Exact({Method.SECOND_ORDER: Tolerance(max(4e-7, left), SLOW, slack=SLACK)})
 
 
 def _secant(name: str, d: float, stop: int, run: Run) -> float:

@@ -31,7 +31,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Bonds, Contact, Scene, Spheres, Vector
 
@@ -165,12 +164,14 @@ def judged_balance(bound: float, slack: str = "", dt: float = 1e-8, both: bool =
 
     both: schemes of first order are allowed the error of second order as well, which they have.
     """
-    second = capped(bound, BOOKED, dt=dt, order=2, slack=slack)
+    second = Tolerance(bound, BOOKED, dt=dt, order=2, slack=slack)
     if both:
         late = bound / dt
-        first = capped(bound, f"{BOOKED}, in both orders", dt=dt, order=2, late=late, slack=slack)
+        first = Tolerance(
+            bound, f"{BOOKED}, in both orders", dt=dt, order=2, late=late, slack=slack
+        )
     else:
-        first = capped(bound, BOOKED, dt=dt, order=1, slack=slack)
+        first = Tolerance(bound, BOOKED, dt=dt, order=1, slack=slack)
     return balance({Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
 
 
@@ -238,7 +239,7 @@ def _sliding_balance(p: Parameters, element: Element, held: float) -> Scalar:
     turned = 1e8 * coarsest * math.sqrt(p["kn"] / p["m"] / (KN.value / M.value))
     rotating = {n: sum(2e-7 * turned**order for order in range(n, 3)) for n in orders.values()}
     return balance({
-        method: capped(
+        method: Tolerance(
             rotating[n] + ends / held, PARTED,
             dt=coarsest, order=n, slack=FEW,
         )

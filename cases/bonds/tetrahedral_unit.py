@@ -41,7 +41,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Vector
 
@@ -202,7 +201,7 @@ LEANING = (
 def _rest_bounds(off: _detour.RestErrors) -> Judge:
     """The bounds of the state of rest against the path; off: the errors by oscillation."""
     kept = 1e-8 + 1.1 * off.kept
-    settled = capped(kept, SETTLED, late=1.1 * off.late / off.dt, slack=AT_MIDSTEP)
+    settled = Tolerance(kept, SETTLED, late=1.1 * off.late / off.dt, slack=AT_MIDSTEP)
     return Exact(
         {
             Method.EXACT: Tolerance(

@@ -25,7 +25,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
     remembered,
 )
 from vv.scene import Bonds, Contact, Pairs, Scene, Spheres, Vector
@@ -233,11 +232,11 @@ def _judge(dt: float, ahead: float, late: float = 0.0, turned: float = 0.0) -> E
     turned: relative growth of shears that a step rotates to first order, over the step [1/s].
     """
     exact = Tolerance(1e-11, "the answer is a sum of modes without events, known to rounding")
-    second = capped(
+    second = Tolerance(
         max(ahead, LEAST), AHEAD + TURNED,
         dt=dt, order=2, floor=LEAST, late=turned, slack=TURNS_RIGHT if turned else "",
     )  # fmt: skip
-    behind = capped(max(late, LEAST), LATE, dt=dt, order=1)
+    behind = Tolerance(max(late, LEAST), LATE, dt=dt, order=1)
     return Exact({
         Method.EXACT: exact,
         Method.LINEARISED: exact,

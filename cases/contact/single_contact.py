@@ -26,7 +26,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import (
     Contact,
@@ -169,7 +168,7 @@ def _judge(test: str, p: Parameters) -> Exact:
             "displacement",
             slack="T1 and T2 are exact to a few eps, T3 and T4 where coordinates are round",
         ),
-        Method.SECOND_ORDER: capped(
+        Method.SECOND_ORDER: Tolerance(
             max(float(phase), rounded),
             "the phase error of a leapfrog, (k dt)^2/24 per period, is 2e-5 at 1e-3 s and grows "
             "with drag; where contact and slip begin or end within a step, errors of the same "
@@ -179,7 +178,7 @@ def _judge(test: str, p: Parameters) -> Exact:
             order=2,
             floor=rounded,
         ),
-        Method.FIRST_ORDER: capped(
+        Method.FIRST_ORDER: Tolerance(
             max(float(_first_order(k, n) * step), rounded),
             "drag that is half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s; a "
             "start half a step late changes the velocity by as much, or by a part of k dt. Both "

@@ -22,7 +22,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Block, Contact, Scene, Vector, polyhedron_inertia, volume_and_centroid
 
@@ -103,13 +102,13 @@ def _check(p: Parameters, height: float, lam: float) -> None:
 
 def _bounds(lam: float, weight: float, fall: _Fall) -> dict[Method, Tolerance]:
     """lam: the rate at which it topples [1/s]; weight [N]."""
-    turns = capped(
+    turns = Tolerance(
         (lam * STEP) ** 2,
         "an error of (lam dt)^2, lam the rate at which it topples",
         dt=STEP,
         order=2,
     )
-    sinks = capped(
+    sinks = Tolerance(
         2 * weight / (SPRING * fall.way) * (1 + fall.share * math.sin(fall.end)),
         "the prism sinks into its contact spring, which starts slack, and oscillates on it: by "
         "2 m g/kn at most, beside what its centre moves. The force that stops it turns the prism "
@@ -124,7 +123,7 @@ def _bounds(lam: float, weight: float, fall: _Fall) -> dict[Method, Tolerance]:
     return {
         Method.SECOND_ORDER: turns,
         Method.STRAIGHT: turns,
-        Method.FIRST_ORDER: capped(
+        Method.FIRST_ORDER: Tolerance(
             lam * STEP / 2 / math.tanh(lam * fall.duration / 2),
             "speeds of the end of a step let it topple half a step too early: after x = lam t that "
             "is lam dt/2 times sinh x/(cosh x - 1) of what its centre moves",

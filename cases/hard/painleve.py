@@ -23,7 +23,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall
 
@@ -79,7 +78,7 @@ def _slides(p: Parameters, load: float, spin: float, way: float) -> Exact:
     load: the normal force over the weight; spin: the rod's at the end [1/s]; way: the displacement
     of its middle [m].
     """
-    straight = capped(
+    straight = Tolerance(
         max(float(2 * p["half"] * (spin * STEP) ** 2 / way), ROUNDING),
         "the rod rotates by up to w dt in a step, in which its end moves along a line: an error of "
         "l (w dt)^2; twice that is allowed",
@@ -87,14 +86,14 @@ def _slides(p: Parameters, load: float, spin: float, way: float) -> Exact:
     )  # fmt: skip
     kn, rubs = 1e8, load**2 * p["mu"] * p["g"] * GOAL.duration / way
     sinks = load**2 * p["m"] * p["g"] / (kn * way)
-    sprung = capped(
+    sprung = Tolerance(
         3 * sinks,
         "the end sinks into its spring by N/kn and oscillates on it by as much again, which its "
         "friction magnifies by N/(m g), near the paradox a large number; the step damps this "
         "oscillation, and takes a fiftieth of the speed that friction takes in a step",
         kn=kn, softness=1, late=0.02 * rubs,
     )  # fmt: skip
-    lagging = capped(
+    lagging = Tolerance(
         3 * sinks,
         "friction is that of the previous iteration, while the end oscillates: its speed is wrong "
         "by what friction takes in a step, N/(m g) times magnified, for up to two and a half steps",

@@ -24,7 +24,6 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    capped,
 )
 from vv.scene import Block, Contact, Scene, Spheres, Vector, Wall, polyhedron_inertia
 
@@ -135,7 +134,7 @@ def _judge(p: Parameters, own: bool) -> Exact:
     left = held / (1 - held) if held < 1 else 1.0
     driven = max(math.sin(math.radians(p["dip"])) * (1 - held), EPS) if held < 1 else 1.0
     solved = max(2e-12 / xi, 1e-11) * max(left, 1.0)
-    second = capped(
+    second = Tolerance(
         (solved if own else max(solved, SOLVED / driven)) + EPS / xi**2 * max(left, 1.0),
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, and at other "
         "parameters to 2e-11 of the velocity that weight gains in a step, which adds up to that "
@@ -158,7 +157,7 @@ def _judge(p: Parameters, own: bool) -> Exact:
     }
     if xi < 0.05:
         return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
-    swings = capped(
+    swings = Tolerance(
         5e-4 / xi**2 * max(left, 0.1) ** 2,
         "the wedge sinks by N/(kn sin(xi/2)) and oscillates, and its friction with it. The error "
         "of the displacement grows with the ratio of friction to the downhill force that is left, "

@@ -37,51 +37,62 @@ def path(block: Lattice, kn: float, ks: float, strains: Array, parts: int) -> Ar
     free = np.ones_like(block.position, bool)
     free[:, 2] = ~ends
     nu = poissons_ratio(kn, ks)
-    x, shear, found, before = block.position.copy(), np.zeros((len(block.bonds), 3)), [], 0.0
+    u, shear, found, before = (
+        np.zeros_like(block.position),
+        np.zeros((len(block.bonds), 3)),
+        [],
+        0.0,
+    )
     for strain in strains:
         for _ in range(parts):
             more = (strain - before) / parts
-            guess = x + more * block.position * [-nu, -nu, 1.0]
-            x, shear, force = _balanced(block, matrix, free, x, guess, shear, kn, ks)
+            guess = u + more * block.position * [-nu, -nu, 1.0]
+            u, shear, force = _balanced(block, matrix, free, u, guess, shear, kn, ks)
         before = strain
         stress = force[block.at(2, 1), 2].sum() / block.area
-        across = [-narrowing(block, x - block.position, axis) for axis in (0, 1)]
+        across = [-narrowing(block, u, axis) for axis in (0, 1)]
         found.append([stress, *across])
     return np.array(found)
 
 
 def _balanced(  # type: ignore[no-untyped-def]
-    block: Lattice, matrix, free: NDArray[np.bool_], before: Array, x: Array, shear: Array,
+    block: Lattice, matrix, free: NDArray[np.bool_], before: Array, u: Array, shear: Array,
     kn: float, ks: float,
 ) -> tuple[Array, Array, Array]:  # fmt: skip
-    """Positions, shear forces of bonds and forces on the elements after an increment of strain."""
+    """Displacements, shear forces of bonds and forces on the elements after an increment."""
     for _ in range(30):
-        force, turned = _forces(block, before, x, shear, kn, ks)
+        force, turned = _forces(block, before, u, shear, kn, ks)
         size = np.abs(force[~free]).max()
         if np.abs(force[free]).max() <= LEFT * size:
-            return x, turned, force
-        x = x - _answer(matrix, force, free)
+            return u, turned, force
+        u = u - _answer(matrix, force, free)
     raise ValueError("no balance after 30 corrections; the strain is too large")
 
 
 def _forces(
-    block: Lattice, before: Array, x: Array, shear: Array, kn: float, ks: float
+    block: Lattice, before: Array, u: Array, shear: Array, kn: float, ks: float
 ) -> tuple[Array, Array]:
-    """The forces (N, 3) [N] that would hold the elements, and shear forces (B, 3) [N] of bonds."""
+    """The forces (N, 3) [N] that would hold the elements, and shear forces (B, 3) [N] of bonds.
+
+    before, u: displacements (N, 3) [m] before and after an increment. Elongations are found from
+    them, since a difference of positions would lose small strains.
+    """
     i, j = block.bonds.T
-    old, new = before[j] - before[i], x[j] - x[i]
+    apart = block.position[j] - block.position[i]
+    drawn, moved = u[j] - u[i], u[j] - u[i] - (before[j] - before[i])
+    old, new = apart + (before[j] - before[i]), apart + drawn
     length = np.linalg.norm(new, axis=1)[:, None]
     n, was = new / length, old / np.linalg.norm(old, axis=1)[:, None]
     middle = (old + new) / np.linalg.norm(old + new, axis=1)[:, None]
-    moved = new - old
     across = moved - (moved * middle).sum(axis=1)[:, None] * middle
     axis = np.cross(was, n)  # rotation vector of the bond, to first order in an increment
     turned = shear + np.cross(axis, shear) + np.cross(axis, np.cross(axis, shear)) / 2.0
     turned = turned + ks * across
     turned = turned - (turned * n).sum(axis=1)[:, None] * n
-    d = np.linalg.norm(block.position[j] - block.position[i], axis=1)[:, None]
-    pull = kn * (length - d) * n + turned
-    force = np.zeros_like(x)
+    d = np.linalg.norm(apart, axis=1)[:, None]
+    longer = (drawn * (apart + new)).sum(axis=1)[:, None] / (length + d)
+    pull = kn * longer * n + turned
+    force = np.zeros_like(u)
     np.add.at(force, i, -pull)
     np.add.at(force, j, pull)
     return force, turned

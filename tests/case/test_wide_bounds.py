@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from tests.support.records.measured_runs import SCENE, SECOND, run
 from vv.ask import History, Knobs, Method
 from vv.case import (
+    LARGEST_TOLERANCE,
     CodeToCode,
     Exact,
     Interval,
@@ -17,38 +17,38 @@ from vv.case import (
     Scalar,
     Shown,
     Tolerance,
-    capped,
     has_setting,
     shown_if_wide,
 )
+from vv.output.wording import scaled
 from vv.records.outcomes import Verdict
 from vv.records.record import measured
 
 AT = Knobs(1e-3, 1e8)
 
 
-def test_a_bound_that_nothing_scales_is_cut_and_tells_what_it_is() -> None:
-    found = capped(0.25, "why", late=10.0)
-    assert (found.value, found.over) == (0.1, 2.5)
+def test_a_bound_is_cut_at_the_largest_and_tells_what_it_is() -> None:
+    found = Tolerance(0.25, "why", late=10.0)
     assert found.uncut(AT) == pytest.approx(0.26)
-    assert found.at(AT) == 0.1
-    assert capped(0.05, "why").over == 1.0
+    assert found.at(AT) == LARGEST_TOLERANCE == 0.1
+    told = "0.25, plus 10 1/s times dt, cut at 0.1 at the case's own parameters and settings"
+    assert scaled(found) == told
 
 
-@pytest.mark.parametrize("over", [0.9, np.nan])
-def test_a_bound_is_cut_to_no_more_than_it_is(over: float) -> None:
-    with pytest.raises(ValueError, match=r"Tolerance\.over = .*; it must be one or more"):
-        Tolerance(0.1, "why", over=over)
+@pytest.mark.parametrize(("floor", "bound"), [(1e-5, 1e-5), (1e-7, 1e-6)])
+def test_a_bound_may_have_fallen_below_its_floor(floor: float, bound: float) -> None:
+    """Where the numbers of a case make the error of its step vanish, other errors remain."""
+    assert Tolerance(1e-6, "why", floor=floor).at(AT) == bound
 
 
 @pytest.mark.parametrize(
     ("bound", "shown"),
     [
         (Tolerance(0.1, "why"), False),
-        (capped(0.999, "why"), False),
-        (capped(1.0, "why"), True),
-        (capped(3.9, "why", dt=2e-3, order=2), False),  # 0.975 at 1e-3 s
-        (capped(4.1, "why", dt=2e-3, order=2), True),
+        (Tolerance(0.999, "why"), False),
+        (Tolerance(1.0, "why"), True),
+        (Tolerance(3.9, "why", dt=2e-3, order=2), False),  # 0.975 at 1e-3 s
+        (Tolerance(4.1, "why", dt=2e-3, order=2), True),
         (Tolerance(0.09, "why", late=900.0), False),
         (Tolerance(0.09, "why", late=920.0), True),
         (Tolerance(0.05, "why", kn=5e10, softness=0.5), True),
@@ -82,7 +82,7 @@ def test_other_judges_stay() -> None:
 def test_it_is_cut_at_the_parameters_of_the_case_alone(
     modified: bool, value: float, verdict: Verdict
 ) -> None:
-    judge = Exact({SECOND: capped(0.25, "why")})
+    judge = Exact({SECOND: Tolerance(0.25, "why")})
     quantity = Scalar("e", "e", "J", "energy", lambda run: value, 1.0, 1.0, judge)
     assert measured(run(), quantity, SECOND, AT, modified)[0].verdict is verdict
 
@@ -94,13 +94,13 @@ def test_it_is_cut_at_the_parameters_of_the_case_alone(
 def test_it_is_not_cut_at_a_setting_that_is_none_of_the_case(
     chosen: bool, value: float, verdict: Verdict
 ) -> None:
-    judge = Exact({SECOND: capped(0.25, "why")})
+    judge = Exact({SECOND: Tolerance(0.25, "why")})
     quantity = Scalar("e", "e", "J", "energy", lambda run: value, 1.0, 1.0, judge)
     assert measured(run(), quantity, SECOND, AT, chosen=chosen)[0].verdict is verdict
 
 
 def test_a_run_at_a_chosen_setting_is_shown_where_its_bound_tells_nothing() -> None:
-    judge = Exact({SECOND: capped(1.5, "why")})
+    judge = Exact({SECOND: Tolerance(1.5, "why")})
     quantity = Scalar("e", "e", "J", "energy", lambda run: 1.2, 1.0, 1.0, judge)
     for chosen, verdict in ((False, Verdict.FAIL), (True, Verdict.NO_REFERENCE)):
         assert measured(run(), quantity, SECOND, AT, chosen=chosen)[0].verdict is verdict

@@ -15,6 +15,7 @@ from vv.plan.settings import parameters_with_settings
 
 PROJECT = find()
 HUGE = "1e300"
+OTHER = (-1.0, 1e-3, 30.0)  # times the usual value
 # words of Python and its libraries, which say nothing of a case
 PYTHON = re.compile(
     r"math (domain|range)|out of range|too large|division|different signs|zero-size|complex|"
@@ -54,7 +55,8 @@ def test_any_value_is_planned_or_refused_in_a_sentence(
     case = PROJECT.load_case(name)
     variant = variant_of(case)
     for parameter, usual in case.defaults(variant).items():
-        for value in ("0", f"{-abs(usual or 1.0)!r}", HUGE, f"-{HUGE}", "nan", "inf"):
+        tried = (repr(one * abs(usual or 1.0)) for one in OTHER)
+        for value in ("0", *tried, HUGE, f"-{HUGE}", "nan", "inf"):
             told = refusal(case, variant, f"{parameter}={value}")
             assert told or value not in ("nan", "inf")
             if told:
@@ -62,6 +64,7 @@ def test_any_value_is_planned_or_refused_in_a_sentence(
                 assert re.search(rf"\b{parameter} = {re.escape(repr(float(value)))}\b", own), own
                 assert re.search(r"[;:] \S+ \S+", own), own  # the rule
                 assert not PYTHON.search(own), own
+                assert HUGE in value or "Tolerance" not in own, own
 
 
 @pytest.mark.parametrize(("case", "name"), STRICT)

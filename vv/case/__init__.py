@@ -44,7 +44,7 @@ from vv.case.study import (
     settings_of,
     why_too_long,
 )
-from vv.case.wide_bounds import capped, shown_if_wide
+from vv.case.wide_bounds import shown_if_wide
 
 __all__ = [
     "LARGEST_TOLERANCE",
@@ -82,7 +82,6 @@ __all__ = [
     "Trial",
     "Variant",
     "at_rest",
-    "capped",
     "error_scale",
     "evaluated",
     "has_setting",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vv.case import Tolerance
+from vv.case import LARGEST_TOLERANCE, Tolerance
 from vv.records.case_facts import ToleranceFacts
 from vv.records.outcomes import Outcome
 
@@ -52,4 +52,6 @@ def scaled(tolerance: Tolerance | ToleranceFacts) -> str:
         parts.append(f", plus {one.late:g} 1/s times dt")
     if one.floor and (one.dt or one.kn):
         parts.append(f", at least {one.floor:g}")
+    if one.value > LARGEST_TOLERANCE:
+        parts.append(f", cut at {LARGEST_TOLERANCE:g} at the case's own parameters and settings")
     return "".join(parts)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import sys
 from collections.abc import Sequence
 
 from vv.ask import Displacement
@@ -110,6 +111,6 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
 
 
 def _tolerance(tolerance: Tolerance) -> ToleranceFacts:
-    """The tolerance in the form of a record, where one that is cut at the largest stays so."""
-    kept = (one.name for one in dataclasses.fields(ToleranceFacts))
-    return ToleranceFacts(**{name: getattr(tolerance, name) for name in kept})
+    """The tolerance in the form of a record, which holds finite numbers only."""
+    kept = {one.name: getattr(tolerance, one.name) for one in dataclasses.fields(ToleranceFacts)}
+    return ToleranceFacts(**{**kept, "value": min(tolerance.value, sys.float_info.max)})

@@ -8,7 +8,7 @@ import numpy as np
 
 from reference_solutions.blocks import incline
 from vv.ask import Knobs, Method
-from vv.case import Exact, Parameters, Tolerance, capped
+from vv.case import Exact, Parameters, Tolerance
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
 STEP = 1e-3  # s
@@ -47,7 +47,7 @@ def along_dip(p: Parameters, own: bool) -> Exact:
         return Exact({**STEADY, Method.FIRST_ORDER: _half_steps(p)})
     cycles = max(1.0, p["f"] * p["duration"])
     swings = cycles * p["A"] / (2 * np.pi * p["f"]) ** 2 / _largest_slip(p)
-    sine = capped(
+    sine = Tolerance(
         _sine_error(p["f"] if p["A"] else 0.0, max(1.0, swings)),
         "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
         "(w dt)^2/12 of its amplitude A/w^2 in each cycle, or of the slip if that is larger; twice "
@@ -110,7 +110,7 @@ def _whole_stops(p: Parameters, sine: Tolerance) -> Tolerance:
     """For positions of second order, in steps that slip may begin and end within."""
     cycles = max(1.0, p["f"] * p["duration"] if p["A"] else 0.0)
     left = 2 * cycles * (p["A"] + _friction(p)) * STEP**2 / 8 / _largest_slip(p)
-    return capped(
+    return Tolerance(
         sine.uncut(Knobs(STEP)) + left,
         "the sine has an error of (w dt)^2/12, of which twice is allowed. In each cycle slip "
         "begins once and ends once within a step: the displacement that is left there is "
@@ -128,7 +128,7 @@ def _sine_error(f: float, over: float = 1.0) -> float:
 
 def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
     """The tolerances of a block on springs; lagging friction doubles the error."""
-    lagging = capped(
+    lagging = Tolerance(
         2 * late.value,
         f"lagging friction doubles this error: {late.reason}",
         kn=late.kn,
@@ -161,7 +161,7 @@ def _stopping(p: Parameters, times: float) -> Tolerance:
     cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
     stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sinking(p)) * MASS / SPRING
     speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
-    return capped(
+    return Tolerance(
         max(float(cycles * stretch / _largest_slip(p)), 1e-9),
         f"each cycle of slip and rest costs up to {times:g} stretches mu N/ks of the shear spring, "
         "or the slip that sinking adds where slip begins and ends. Shaking acts half a step late, "
@@ -200,7 +200,7 @@ def _start_error(p: Parameters) -> float:
 def _turning(p: Parameters) -> Tolerance:
     """For a block that slips downhill and uphill in turn."""
     delayed = _friction(p) * p["duration"] * np.sqrt(MASS / SPRING) / _largest_slip(p)
-    return capped(
+    return Tolerance(
         max(float(REVERSED * delayed), 1e-9),
         "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m; over the duration T "
         f"the delays add up to {REVERSED:g} mu N T/(m w)",
@@ -215,7 +215,7 @@ def _rotating(p: Parameters, swept: bool, slid: float) -> Tolerance:
     fastest = max(p["f"], p["fy"])
     shaken = (p["A"] / p["f"] ** 2 + p["Ay"] / p["fy"] ** 2) / (2.0 * np.pi) ** 2
     swings = max(1.0, fastest * p["duration"]) * float(shaken) / slid
-    return capped(
+    return Tolerance(
         _sine_error(fastest, max(1.0, swings)),
         "where the direction of slip rotates, friction acts along its mean direction over a step, "
         "an error of (w dt)^2/12 of the slip, or of the amplitudes A/w^2 of the shaking in each "

@@ -8,7 +8,7 @@ import numpy as np
 
 from cases.blocks.parts._laden_drives import SOFT, STEP, Driven
 from vv.ask import Method
-from vv.case import Exact, Tolerance, capped
+from vv.case import Exact, Tolerance
 
 LEAST = 1e-12
 EXACTLY = Tolerance(1e-13, "no event; only rounding errors of Taylor series remain")
@@ -141,4 +141,4 @@ def _whole(by: Driven, axis: int, scale: float) -> Tolerance:
 
 def _bound(value: float, reason: str, **scaling: Any) -> Tolerance:
     """A tolerance of at least rounding and at most the largest one."""
-    return capped(max(float(value), LEAST), reason, **scaling)
+    return Tolerance(max(float(value), LEAST), reason, **scaling)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from vv.ask import Method
-from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance, capped
+from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
 from vv.scene import Vector
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
@@ -93,7 +93,7 @@ def _rounding(p: Parameters, path: Path) -> Tolerance:
     turned = 2 * np.pi * max(p["f"], p["fy"]) * p["duration"]
     ways = np.abs(path(np.linspace(0.0, p["duration"], 101))).max(axis=0)[:2]
     lost = 0.1 * EPS * turned**2 * np.hypot(p["D"], p["Dy"])
-    return capped(
+    return Tolerance(
         max(float(lost / ways.min()), 1e-13) if ways.min() > 0 else 1e-13,
         f"{LOCATED}, and of the phases w T of the base, which add up in a slip that does not stop",
     )
@@ -153,7 +153,7 @@ def _second(p: Parameters) -> Tolerance:
             "located within the step: the tolerance of their location remains",
             slack="on straight lines a search ends at rounding",
         )
-    return capped(
+    return Tolerance(
         max(float((omega * STEP) ** 2 / 8), 2e-9),
         "where the block sticks it follows the sine of the base, with an error of (w dt)^2/12",
         dt=STEP,
@@ -166,7 +166,7 @@ def _rotating(p: Parameters, way: float) -> Tolerance:
     """For slip whose direction rotates."""
     omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
     dragged = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
-    return capped(
+    return Tolerance(
         max(0.6 * (omega * STEP) ** 2 * max(dragged / way, 1.0), 1e-7),
         "friction acts along the mean direction of slip over a step. Where the slip is slow its "
         "direction turns by more than w dt of the fastest sine, and the error is the square of "
@@ -180,7 +180,7 @@ def _rotating(p: Parameters, way: float) -> Tolerance:
 def _late_reversals(rate: float, by_springs: float, by_steps: float, more: str = "") -> Tolerance:
     """For late reversals of slip; rate: mu g T over the displacement [1/s]."""
     value = rate * by_springs * np.sqrt(MASS / SPRING)
-    return capped(
+    return Tolerance(
         max(float(value), 1e-9),
         "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, and reversals fall "
         "on whole steps; over the duration T the delays add up to mu g T "

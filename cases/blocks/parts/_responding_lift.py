@@ -18,7 +18,7 @@ from cases.blocks.parts._responding_bounds import (
     in_plane,
 )
 from vv.ask import Knobs, Method
-from vv.case import Exact, Parameters, Tolerance, capped
+from vv.case import Exact, Parameters, Tolerance
 
 
 def in_space(p: Parameters, path: Path, way: float) -> Exact:
@@ -36,7 +36,7 @@ def _both(p: Parameters, level: Tolerance, lifted: Tolerance) -> Tolerance:
     if not p["mu"]:
         return lifted
     at = Knobs(kn=SPRING)
-    return capped(
+    return Tolerance(
         float(np.hypot(level.uncut(at), lifted.uncut(at))),
         f"{level.reason}. Across the plane, {lifted.reason}",
         kn=SPRING,
@@ -53,7 +53,7 @@ def vertical(p: Parameters, way: float) -> Exact:
     """
     omega = 2 * np.pi * p["fz"]
     lift, near = p["Dz"] * omega**2 / way, MASS * omega**2 / SPRING
-    sinks = capped(
+    sinks = Tolerance(
         max(float(2 * MASS * lift / SPRING / max(1 - near, EPS)), 1e-9),
         "the block sinks by m z''/kn as the base lifts it, and rises by as much as the base lets "
         "it down, both over 1 - m w^2/kn; z'' is Dz w^2 at most. If this force begins half a step "
@@ -63,7 +63,7 @@ def vertical(p: Parameters, way: float) -> Exact:
         late=float(lift / 2 * np.sqrt(MASS / SPRING)),
     )
     turned = omega * STEP
-    rests = capped(
+    rests = Tolerance(
         max(float(p["Dz"] * turned**3 / 6 / way), GAP),
         "contact is rigid: the block has the velocity of the base at the ends of a step. The mean "
         "of both is off by Dz w (w dt)^2/12, which the next step makes up for; twice that is "

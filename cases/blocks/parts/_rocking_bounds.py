@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from vv.ask import Method
-from vv.case import EnergyAllowance, Exact, Parameters, Tolerance, capped
+from vv.case import EnergyAllowance, Exact, Parameters, Tolerance
 from vv.scene import Scene
 
 COARSE = 1e-3  # s
@@ -34,7 +34,7 @@ def friction_energy(scene: Scene, p: Parameters) -> EnergyAllowance:
 
 def free_swings(rate: float) -> Exact:
     """For free swings: their rate p [1/s] is the scale of the step."""
-    five = capped(
+    five = Tolerance(
         17.0 * (rate * COARSE) ** 2,
         "the step changes the rate of each swing by (p dt)^2/12 = 1e-6, and by the square root of "
         "that at the turn of a swing that ends upright; the errors of five impacts add up",
@@ -52,7 +52,7 @@ def released_swing(rate: float, part: float) -> Exact:
     """
     shift = 5e-4 * min(50.0, max(1.0, 0.4 / (1.0 - part)))
     bounds = {
-        Method.SECOND_ORDER: capped(
+        Method.SECOND_ORDER: Tolerance(
             (rate * COARSE) ** 2,
             "the step changes the rate p by (p dt)^2/12",
             dt=COARSE,
@@ -76,7 +76,7 @@ def released_swing(rate: float, part: float) -> Exact:
 def near_threshold(w: float, part: float) -> Exact:
     """For a pulse of frequency w [1/s] whose amplitude is `part` times the threshold."""
     left = 0.2 * _threshold_error(w) / max(abs(part - 1.0), 1e-3)
-    slow = capped(
+    slow = Tolerance(
         2e-4 + left,
         "the step shifts the threshold by (w dt)^2/2, which counts relative to the distance of the "
         "pulse from the threshold",
@@ -90,7 +90,7 @@ def near_threshold(w: float, part: float) -> Exact:
 
 def at_threshold(w: float) -> Exact:
     """For the threshold itself, as far as a search resolves it."""
-    least = capped(
+    least = Tolerance(
         max(FOUND, _threshold_error(w)),
         "an error of (w dt)^2/2: a step averages the sine, and the block starts to lean within a "
         "step",
@@ -103,7 +103,7 @@ def at_threshold(w: float) -> Exact:
 
 def overturning_time(w: float, part: float, rate: float, due: float) -> Exact:
     """For the time `due` [s] in which a pulse of `part` times the threshold overturns a block."""
-    late = capped(
+    late = Tolerance(
         1e-5 + _threshold_error(w) * part / ((part - 1.0) * rate * due),
         "the step shifts the threshold by (w dt)^2/2, which counts relative to the excess of the "
         "pulse over the threshold: when that falls by a factor of e, the time to overturn grows by "

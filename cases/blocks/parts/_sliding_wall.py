@@ -10,7 +10,7 @@ import numpy as np
 from reference_solutions.blocks import facade, responding_block
 from reference_solutions.blocks.equilibrium import Stone, stands
 from vv.ask import Method
-from vv.case import Exact, Parameters, capped
+from vv.case import Exact, Parameters, Tolerance
 from vv.scene import Vector
 
 LENGTH, HEIGHT, DEEP, DENSITY = 0.4, 0.2, 0.15, 2000.0  # m, of a block; half depth; kg/m3
@@ -69,8 +69,8 @@ def bounds(p: Parameters, own: bool) -> Exact:
         "times a second; the error of the displacement is that times the time that is left, over D"
     )
     turns = max(1.0, p["mu"] * p["g"] * p["f"] * p["duration"] ** 2 / p["D"] / 20.0)
-    second = capped(2e-2 * turns, whole, dt=2e-3, order=1)
-    first = capped(
+    second = Tolerance(2e-2 * turns, whole, dt=2e-3, order=1)
+    first = Tolerance(
         2e-2 * turns,
         whole,
         dt=2e-3,
@@ -83,7 +83,7 @@ def bounds(p: Parameters, own: bool) -> Exact:
     )
     if not (own or _bears(p, SWINGS)):
         return Exact(judged, not_judged={**shown, Method.PENALTY: EXCITED})
-    penalty = capped(
+    penalty = Tolerance(
         max(_walk(p), ROUNDING),
         "a block on its springs vibrates with the frequency w, w^2 = kn/m; at Coulomb's limit with "
         "the amplitude mu m g/kn, so that a course walks on the next at up to mu g/w, and the "

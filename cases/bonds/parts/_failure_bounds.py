@@ -8,7 +8,7 @@ from cases.bonds.parts._quartzite import BRITTLE
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice
 from vv.ask import Method
-from vv.case import Exact, Parameters, Shown, capped
+from vv.case import Exact, Parameters, Shown, Tolerance
 
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 SMALL = 82
@@ -26,7 +26,7 @@ ORDER = (
 
 
 def bounds(value: float, reason: str, slack: str = "") -> Exact:
-    return Exact(dict.fromkeys(CLASSES, capped(value, reason, slack=slack)))
+    return Exact(dict.fromkeys(CLASSES, Tolerance(value, reason, slack=slack)))
 
 
 def history_bounds(block: Lattice, own: bool) -> Exact | Shown:

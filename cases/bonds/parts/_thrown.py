@@ -18,7 +18,6 @@ from vv.case import (
     Series,
     Tolerance,
     Trial,
-    capped,
 )
 from vv.scene import Vector
 
@@ -108,12 +107,12 @@ def _bounds(w: float) -> Exact:
             Method.LINEARISED: Tolerance(
                 1e-13, "no bond rotates, so that the linear answer is exact"
             ),
-            Method.SECOND_ORDER: capped(
+            Method.SECOND_ORDER: Tolerance(
                 angle**2 / 24 * max(whole, 1.0) * 1.7,
                 "the phase error (w dt)^2/24 w t of a leapfrog, and some (w dt)^2 by its start",
                 dt=THROWN, order=2,
             ),
-            Method.FIRST_ORDER: capped(
+            Method.FIRST_ORDER: Tolerance(
                 angle,
                 "a start half a step late shifts the phase by w dt/2", dt=THROWN, order=1,
             ),

@@ -7,7 +7,7 @@ import functools
 import numpy as np
 
 from vv.ask import Displacement, Method, Run, Velocity
-from vv.case import Exact, Judge, Parameters, Quantity, Scalar, Shown, Tolerance, capped
+from vv.case import Exact, Judge, Parameters, Quantity, Scalar, Shown, Tolerance
 from vv.scene import Form, Scene, Vector
 
 RADIUS = 0.05  # m; enters the moment of inertia
@@ -55,7 +55,7 @@ def observed_energies(scene: Scene, p: Parameters, gains: Judge) -> tuple[Quanti
 
 def _excess_bounds(p: Parameters) -> Exact:
     """The bound of a leapfrog, with the highest frequency of a sheet, w^2 = 6 kn/m."""
-    second = capped(
+    second = Tolerance(
         float(6.0 * p["kn"] / p["m"] * STEPS[0] ** 2 / 8),
         "friction only dissipates energy; the energy of a leapfrog at whole steps oscillates by a "
         "relative (w dt)^2/8",
@@ -112,7 +112,7 @@ def _gain_bounds(p: Parameters) -> Exact:
         "except that normals rotate, by v/(2 r w) in an oscillation: this part of (w dt)^2/8"
     )
     return Exact({
-        method: capped(max(value, 1e-12), why, dt=STEPS[0], order=order)
+        method: Tolerance(max(value, 1e-12), why, dt=STEPS[0], order=order)
         for method, order in ((Method.SECOND_ORDER, 2), (Method.FIRST_ORDER, 1))
     })  # fmt: skip
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from reference_solutions.contact import settling
 from vv.ask import Method
-from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance, capped
+from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
 
 STEP = 1e-4  # s, the coarsest
 DURATION = 0.8  # s, the shortest
@@ -81,7 +81,7 @@ def _elsewhere(p: Parameters, stages: Sequence[settling.Stage]) -> dict[Method, 
     rounded = PATH[Method.EXACT]
     more = max(1.0, len(stages) / 62) * max(1.0, 2.0 * stages[-1].begin / DURATION)
     return {
-        Method.EXACT: capped(
+        Method.EXACT: Tolerance(
             rounded.value * more,
             f"{rounded.reason}, by as much as the times of events are rounded: as the number of "
             "events times the duration",
