@@ -52,6 +52,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("rigid", "wedge", "xi-1e-06", {"xi": 9.21e-7, "g": 4.33}, Knobs(1e-2)),
         ("dda", "shaken-wedge", "level", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
         ("dda", "shaken-wedge", "along", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
+        ("dda", "shaken-wedge", "along", {"phi": 0.0}, Knobs(1e-3, 1e9)),
         ("dda", "masonry", "slides", {"f": 3.18, "duration": 0.451}, Knobs(1e-3, 1e9)),
         ("dda", "shear-wave", "20", NEAR_A_SWING, Knobs(1e-4, 1e12)),
         ("rigid", "shaken-fast", "5hz", SHAKEN, Knobs(5e-4)),
