@@ -8,7 +8,7 @@ import numpy as np
 
 from cases._energy_balance import balance as unexplained
 from vv.ask import Method
-from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Scalar, Tolerance, capped
+from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Scalar, Tolerance
 
 LASTS = 40.0  # duration times w
 SPEED = np.array([0.2, -0.15, 0.25])  # v/(w u)
@@ -61,14 +61,14 @@ def judge(p: Parameters, unit: float, step: float, own: bool, axes: int = 1) -> 
     return Exact({
         Method.EXACT: Tolerance(1e-12, "no event occurs: only rounding errors over a time of 40/w "
                                 "remain"),
-        Method.SECOND_ORDER: capped(
+        Method.SECOND_ORDER: Tolerance(
             step**2 * strong / (24 * math.e * damping) + step**2 / 8,
             "the phase of the oscillation has a relative error of (w dt)^2/24, which counts most "
             "when the amplitude has decayed by a factor of e; drag and steady motion have errors "
             f"of some (w dt)^2/8{'' if own else STRONG}",
             dt=step * unit, order=2,
         ),
-        Method.FIRST_ORDER: capped(
+        Method.FIRST_ORDER: Tolerance(
             step / math.e if own else max(step / math.e, _late(p, step)),
             "drag with the velocity half a step before changes the mass by z w dt, and the "
             "oscillation by w dt/(2 e) at most; forces that start half a step late add as much, "
@@ -86,13 +86,13 @@ def balance(p: Parameters, unit: float, step: float, own: bool, one: bool) -> Sc
     square = float(SPEED[: 2 if one else 3] @ SPEED[: 2 if one else 3])
     drag, moving = p["z"] + p["zn"], square / ((1 if one else 3) + square)
     slowed = 0.0 if own else drag**2 * moving
-    second = capped(
+    second = Tolerance(
         step**2 * (1 / 200 + slowed),
         f"{late}: some (w dt)^2/200{'' if own else SLOWED}",
         dt=step * unit, order=2,
     )  # fmt: skip
     dragged = 0.0 if own else drag * 2 * moving
-    first = capped(
+    first = Tolerance(
         step * (1 / 40 + dragged),
         f"{late}; forces start half a step late{'' if own else DRAGGED}",
         dt=step * unit, order=1,
