@@ -1,14 +1,17 @@
 """Claims that bounds follow the parameters: runs that are right pass where draws found them red."""
 
+import math
+
 import pytest
 
 from tests.findings.figures import PROJECT, asked
 from tests.support.installed import require
-from vv.ask import Status
+from vv.ask import Method, Status
 from vv.case import Exact, Level
 from vv.records.outcomes import Verdict
 from vv.records.record import measured
 
+ROUNDING = 1e-9
 RIGHT = {
     "failure-modes:3d-40 phi=37.4 alpha=12.5": "rigid/default",
     "wedge:xi-1 dip=29.4 xi=0.649 held=0.502 g=9.93": "rigid/default",
@@ -51,6 +54,8 @@ RIGHT = {
     "passing:sheared ks=10": "dem/default",
     "passing:sheared duration=2.5e-4": "dem/default",
     "galperin:31 ratio=0.1": "exact/default",
+    "galperin:31 ratio=44.3 kn=7.66e5": "dem/default",
+    "galperin:31 ratio=178.6 kn=6.49e6": "dem/published",
     "grazing:T3 r=5e4": "exact/default",
     "grazing:T3 ks=5.5e12": "exact/default",
     "settling:drop m=1000": "exact/default",
@@ -168,3 +173,18 @@ def test_pairs_of_spheres_that_overlap_by_a_tenth_of_their_radius_are_refused(
     case = PROJECT.load_case("crowd")
     with pytest.raises(ValueError, match=r"would overlap by .*less than a tenth of the radius"):
         case.declare("pairs", {**case.defaults("pairs"), **given})
+
+
+@pytest.mark.parametrize(("ratio", "allowed"), [(44.3, 1.0), (45.5, 0.0), (100.0, 0.0)])
+def test_a_collision_may_be_missing_where_errors_of_steps_turn_the_motion_past_it(
+    ratio: float, allowed: float
+) -> None:
+    case = PROJECT.load_case("galperin")
+    trial = case.declare("31", {**case.defaults("31"), "ratio": ratio})
+    (number,) = trial.quantities
+    assert isinstance(number.judge, Exact)
+    assert isinstance(number.reference, int)
+    tolerance, due = number.judge.tolerances[Method.SECOND_ORDER], number.reference
+    coarse, _, fine, _ = trial.study.rungs[Level.DEFAULT]
+    for knobs, most in ((coarse, allowed), (fine, 0.0)):
+        assert math.floor(tolerance.uncut(knobs) * due + ROUNDING) == most
