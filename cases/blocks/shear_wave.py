@@ -111,19 +111,31 @@ def _layer_series(
     chain = functools.partial(
         shear_wave.layered_displacement, number=number, layers=layers, height=H, c=c, D=D, F=F
     )
-    steps = math.ceil(times[-1] / COARSE)
-    stepped = shear_wave.stepped_displacement(steps, dt=COARSE, **place, height=H, c=c, D=D, F=F)
     wave = path(times)
     largest = float(np.abs(wave).max())
+    strain = 2 * math.pi * F * largest / c
+    if not strain < LARGE:
+        raise ValueError(
+            f"D = {D!r} m; layers shear by about {strain:.2g}, and only below {LARGE:g} is the "
+            "wave equation linear"
+        )
     own = float(np.abs(chain(times) - wave).max()) / largest
     if not own < THICK:
         raise ValueError(
             f"F = {F!r} Hz; layers that shear uniformly differ from the wave "
             f"by {own:.2g}, more than {THICK:g}"
         )
-    late = float(np.abs(stepped - chain(COARSE * np.arange(steps + 1))).max()) / largest
+
+    def growth(dt: float) -> float:
+        """The error that steps cause in the exact answer, over the step [1/s]."""
+        steps = math.ceil(times[-1] / dt)
+        stepped = shear_wave.stepped_displacement(steps, dt=dt, **place, height=H, c=c, D=D, F=F)
+        return float(np.abs(stepped - chain(dt * np.arange(steps + 1))).max()) / largest / dt
+
+    coarse, fine = growth(COARSE), growth(COARSE / 2)
+    late = max(coarse, 2 * fine - coarse)
     soft = chain(times, c=c * math.sqrt(1.0 - given))
-    yields = float(np.abs(soft - chain(times)).max()) / largest
+    yields = float(np.abs(soft - chain(times)).max()) / largest + strain
 
     def series(name: str, what: str, due: Callable[[Vector], Vector], judge: Exact) -> Series:
         return Series(
@@ -139,8 +151,8 @@ def _layer_series(
 
 
 def _bounds(bound: float, late: float, reason: str) -> Exact:
-    """late: the error of the step COARSE against the answer of the layers, of first order in dt."""
-    tolerance = Tolerance(bound, reason, late=late / COARSE)
+    """late: the error that a step causes in the answer of the layers, over the step [1/s]."""
+    tolerance = Tolerance(bound, reason, late=late)
     return Exact({Method.PENALTY: tolerance}, not_judged={Method.LAGGING: SOFTER})
 
 
@@ -157,8 +169,10 @@ def _modulus_loss(p: Parameters, layers: int, kn: float) -> float:
 
 OWN = (
     "springs in the joints and the weight change the modulus: the bound is the change that this "
-    "causes in the exact answer of layers that shear uniformly. The error of the step is the "
-    "change that the step causes in that answer"
+    "causes in the exact answer of layers that shear uniformly, and the shear strain, by which "
+    "layers are no longer linear. The error of the step is the change that the step causes in that "
+    "answer: over dt it is largest at the longest step or, by extrapolation, in the limit of short "
+    "ones"
 )
 UNIFORM = (
     f"layers that shear uniformly differ from the wave by as much as their exact answer; {OWN}"
@@ -167,6 +181,7 @@ SOFTER = (
     "formulations of this class may have the shear springs that are usual in DDA, 0.4 kn, which "
     "make this column softer by a tenth"
 )
+LARGE = 0.05  # shear strain
 THICK = 0.08  # of the largest motion: the largest difference between layers and wave
 COARSE = 5e-4  # s
 SOFT, STIFF = 1e12, 1e13  # N/m

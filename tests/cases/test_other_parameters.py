@@ -54,6 +54,8 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("dda", "shaken-wedge", "along", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
         ("dda", "shaken-wedge", "along", {"phi": 0.0}, Knobs(1e-3, 1e9)),
         ("dda", "masonry", "slides", {"f": 3.18, "duration": 0.451}, Knobs(1e-3, 1e9)),
+        ("dda", "shear-wave", "5", {"H": 2.0}, Knobs(2.5e-4, 1e12)),
+        ("dda", "shear-wave", "5", {"D": 0.1}, Knobs(2.5e-4, 1e12)),
         ("dda", "shear-wave", "20", NEAR_A_SWING, Knobs(1e-4, 1e12)),
         ("rigid", "shaken-fast", "5hz", SHAKEN, Knobs(5e-4)),
         ("rigid", "rocking", "threshold", {"part": 1.02}, None),
