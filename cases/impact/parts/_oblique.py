@@ -177,16 +177,20 @@ class Impacts:
         """The largest error with the best-fitting of the laws in which codes differ."""
         return Scalar(
             "nearest", "min max|e|", "",
-            "the same with the closest of the laws that codes have: arms of R - U/2 or R - U, or R "
-            "- U for slip and R - U/2 for torque; shear by increments, or by a spring of the "
-            "current stiffness", self._nearest, 0.0, 1.0, judge,
+            "the same with the closest of the laws that codes have: arms of R - U/2, or on a wall "
+            "R - U, or R - U for slip and R - U/2 for torque; shear by increments, or by a spring "
+            "of the current stiffness", self._nearest, 0.0, 1.0, judge,
         )  # fmt: skip
 
     def _laws(self) -> Iterator[Choice]:
-        """The laws in which codes differ."""
+        """The laws in which codes differ: in arms on a wall alone.
+
+        Between spheres arms of R - U would leave a gap between the surfaces where they touch.
+        """
         if self.slips_in_part:
             return iter((OURS,))
-        return itertools.product(ARMS, SPRINGS if self.contact.hertz else SPRINGS[:1])
+        arms = ARMS if self.partner.is_wall else ARMS[:1]
+        return itertools.product(arms, SPRINGS if self.contact.hertz else SPRINGS[:1])
 
     def _nearest(self, run: Run) -> float:
         return least_of_largest(
