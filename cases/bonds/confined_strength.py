@@ -8,6 +8,7 @@ import math
 import numpy as np
 
 from cases._papers import LIU_2017
+from cases.bonds.parts import _open_base as open_base
 from cases.bonds.parts._quartzite import BRITTLE
 from cases.bonds.parts._unit import CORNERS, EDGES
 from cases.bonds.tetrahedral_strength import BEYOND, EVERY, RATES, at_zero_rate, slid
@@ -95,23 +96,20 @@ def _failure(p: Parameters, share: float) -> Failure:
     given = f"fx = {p['fx']!r} N, of which one unit bears {share:g}"
     if not failed.pressure > failed.held:
         raise ValueError(f"{given}; its bonds slide below the pressure that opens the base")
-    if not failed.spare > 0.0:
-        raise ValueError(
-            f"{given}; the oscillation after the base opens makes inclined bonds slide"
-        )
+    open_base.require_sound(p, failed, given)
     return failed
 
 
 def _under(p: Parameters, load: float) -> Failure:
     """The failure of a unit in equilibrium under inward loads [N] on its base."""
     element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
-    return confined_unit.sliding_failure(element, p["d"], load)
+    return confined_unit.sliding_failure(element, p["d"], load, open_base.overshoot(p))
 
 
 def _uncertain(p: Parameters, share: float, failed: Failure) -> float:
     """What rates of loading and the oscillation leave in the strength of a unit [Pa]."""
     left = max(abs(_hurried(p, share, failed)), SETTLED * failed.pressure)
-    return left + failed.pressure * _remaining_oscillation(p, failed)
+    return left + open_base.swings(p, failed)
 
 
 def _hurried(p: Parameters, share: float, failed: Failure) -> float:
@@ -128,12 +126,6 @@ def _hurried(p: Parameters, share: float, failed: Failure) -> float:
     fast, slow = (_under(p, share * p["fx"] + rate * drag).pressure for rate in RATES)
     due = slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
     return 2.0 * (due - failed.pressure)
-
-
-def _remaining_oscillation(p: Parameters, failed: Failure) -> float:
-    """The part of the oscillation after the base opens that viscosity leaves in the faster unit."""
-    late = (failed.opened - failed.strain) / (RATES[0] * abs(p["rate"]))
-    return math.exp(-p["eta"] * late / (2.0 * p["m"]))
 
 
 def _slopes(p: Parameters, shares: tuple[float, ...], exact: list[Failure]) -> tuple[Quantity, ...]:
@@ -169,7 +161,7 @@ def _unsure_increase(
     (_, free), (_, held) = lower, upper
     one, other = _hurried(p, *lower), _hurried(p, *upper)
     left = max(abs(one), abs(other), abs(one - other))
-    swings = sum(of.pressure * _remaining_oscillation(p, of) for of in (free, held))
+    swings = sum(open_base.swings(p, of) for of in (free, held))
     return max(left, SETTLED * (free.pressure + held.pressure)) + swings
 
 
@@ -183,8 +175,8 @@ SETTLED = 1e-6  # of the strength: what inertia, steps and outputs leave at a lo
 RATE = (
     "strengths are extrapolated from two rates. Viscosity on the base, which moves outwards as the "
     "top comes down, is one more load on it: twice what the extrapolation leaves of the strength "
-    "under that load is allowed, 1e-6 at least. The unit also oscillates after its base opens, "
-    "until viscosity damps that"
+    "under that load is allowed, 1e-6 at least. What viscosity leaves of the oscillation after the "
+    "base opens changes the pressure and the load of inclined bonds at failure"
 )
 HALF = (
     "Eq. 11a gives twice the stress of a section through the unit, so that its P is half of that "

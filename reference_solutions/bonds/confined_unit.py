@@ -18,7 +18,7 @@ which is half of Eq. 11a. Every function raises ValueError outside its range.
 """
 
 from collections.abc import Callable
-from math import asin, asinh, cos, sin, sqrt, tan
+from math import asin, asinh, atan, cos, sin, sqrt, tan
 from typing import NamedTuple
 
 import numpy as np
@@ -34,16 +34,22 @@ _X, _W = np.polynomial.legendre.leggauss(12)  # exact to rounding on such arcs
 class Failure(NamedTuple):
     """The pressure [Pa] on the original area and the axial strain at which inclined bonds slide.
 
-    opened, held: the strain and the pressure [Pa] at which the base opened before that. spare: the
-    fraction of the strength of inclined bonds that remains when the undamped unit, after the base
-    opened, overshoots its new equilibrium by its initial distance from it.
+    opened, held: the strain and the pressure [Pa] at which the base opened before that. settled:
+    the pressure [Pa] in the new equilibrium there. Loads of inclined bonds are their shear less the
+    friction that closed bonds would have, over fs0, so that they slide at one: before the base
+    opens, in the new equilibrium (after), and where the unit swings beyond it (swung). pulled:
+    their stretch there over xb, at which they open.
     """
 
     pressure: float
     strain: float
     opened: float
     held: float
-    spare: float
+    settled: float
+    before: float
+    after: float
+    swung: float
+    pulled: float
 
 
 def horizontal_stress(fx: float, d: float) -> float:
@@ -53,10 +59,12 @@ def horizontal_stress(fx: float, d: float) -> float:
     return sqrt(6.0) / 2.0 * fx / (d * d)
 
 
-def sliding_failure(element: Element, d: float, fx: float) -> Failure:
+def sliding_failure(element: Element, d: float, fx: float, overshoot: float = 1.0) -> Failure:
     """The pressure at which inclined bonds slide under inward loads fx [N] on the base.
 
-    Raises ValueError where they slide before the base opens, or where it never opens.
+    overshoot: how far the unit swings beyond its new equilibrium when the base opens, over its
+    distance from that before; 1 without damping. Raises ValueError where inclined bonds slide
+    before the base opens, or where it never opens.
     """
     kn, ks, xb, fs0, mu_p = element
     sliding_strength(fs0, mu_p, d)
@@ -66,8 +74,8 @@ def sliding_failure(element: Element, d: float, fx: float) -> Failure:
     unit = _Unit(g, fx / force)
     limit = fs0 / force
 
-    def margin(a: float, length: float, shear: float) -> float:
-        return g * abs(shear) / (limit - mu_p * (length - 1.0)) - 1.0
+    def load(length: float, shear: float) -> float:
+        return (g * abs(shear) + mu_p * (length - 1.0)) / limit
 
     def pressure(a: float, length: float, shear: float) -> float:
         fz = 3.0 * force * ((length - 1.0) * cos(a) + g * shear * sin(a))
@@ -77,15 +85,25 @@ def sliding_failure(element: Element, d: float, fx: float) -> Failure:
     opens = _root(lambda a: _base(a, unit.bonded(a, *loaded)[0]) - xb / d, A0, LARGEST)
     length, shear = unit.bonded(opens, *loaded)
     opened = length * cos(opens) / cos(A0) - 1.0
-    rests = unit.widened(opens, length * cos(opens), shear, 0.0)
-    before, after = margin(opens, length, shear), margin(*_whole(rests, length * cos(opens)))
-    if before >= 0.0 or after >= 0.0:
+    z, held, before = length * cos(opens), pressure(opens, length, shear), load(length, shear)
+    rests, then = unit.widened(opens, z, shear, 0.0)
+    after = load(z / cos(rests), then)
+    if before >= 1.0 or after >= 1.0:
         raise ValueError(f"fx = {fx} N; inclined bonds slide before the base opens")
-    held, spare = pressure(opens, length, shear), before - 2.0 * after
-    a = _root(lambda a: margin(a, *unit.open(a, *rests)), rests[0], LARGEST)
-    length, shear = unit.open(a, *rests)
+    far = atan(tan(rests) + overshoot * (tan(rests) - tan(opens)))
+    swung = load(z / cos(far), shear - z * (asinh(tan(far)) - asinh(tan(opens))))
+    pulled = (z / cos(far) - 1.0) * d / xb
+    settled = pressure(rests, z / cos(rests), then)
+
+    def margin(length: float, shear: float) -> float:
+        # bonds that turn outwards have a negative shear: a ratio without |S| has no kink
+        return -g * shear / (limit - mu_p * (length - 1.0)) - 1.0
+
+    a = _root(lambda a: margin(*unit.open(a, rests, then)), rests, LARGEST, opens)
+    length, shear = unit.open(a, rests, then)
     strain = length * cos(a) / cos(A0) - 1.0
-    return Failure(pressure(a, length, shear), strain, opened, held, spare)
+    failed = pressure(a, length, shear)
+    return Failure(failed, strain, opened, held, settled, before, after, swung, pulled)
 
 
 class _Unit(NamedTuple):
@@ -127,20 +145,20 @@ def _base(a: float, length: float) -> float:
     return sqrt(3.0) * length * sin(a) - 1.0
 
 
-def _whole(rests: tuple[float, float], z: float) -> tuple[float, float, float]:
-    a, shear = rests
-    return a, z / cos(a), shear
-
-
 def _integral(f: Callable[..., object], begin: float, end: float) -> float:
     """The integral over the angle a of a function of sin a."""
     sines = np.sin(begin + (end - begin) * (_X + 1.0) / 2.0)
     return float((end - begin) / 2.0 * (_W @ np.asarray(f(sines))))
 
 
-def _root(f: Callable[[float], float], guess: float, reach: float) -> float:
-    """A root of a smooth function within `reach` of a guess, to rounding by the secant method."""
-    x, y = guess - 1e-4, guess
+def _root(
+    f: Callable[[float], float], guess: float, reach: float, other: float | None = None
+) -> float:
+    """A root of a smooth function within `reach` of a guess, to rounding by the secant method.
+
+    other: a second guess near the first.
+    """
+    x, y = guess - 1e-4 if other is None else other, guess
     fx, fy = f(x), f(y)
     for _ in range(60):
         if fy == fx or abs(y - x) <= 1e-13:

@@ -81,7 +81,10 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("shear-wave", "5", {"F": 7.0}, {"F": 7.2}, "from the wave by 0.084, more than 0.08"),
         ("close-packed-path", "in-82", {"strain": 1.1e-6}, {"strain": 9e-7}, "from 1e-6 to 5e-3"),
         ("close-packed-path", "in-82", {"strain": -4.9e-3}, {"strain": -5.1e-3}, "to 5e-3"),
-        ("confined-strength", "two", {"fs0": 10.0}, {"fs0": 8.0}, "oscillation after the base"),
+        ("confined-strength", "two", {"kn": 9e7, "eta": 2.0}, {"kn": 9e7, "eta": 1.5},
+         "oscillation after the base opens loads inclined bonds to 1.06 of what they bear"),
+        ("confined-strength", "two", {"kn": 9e7, "fs0": 24.0, "eta": 2.0},
+         {"kn": 9e7, "fs0": 24.0, "eta": 1.5}, "stretches inclined bonds to 1.06 xb"),
         ("confined-strength", "two", {"xb": 3e-7}, {"xb": 6e-7}, "slide below the pressure that"),
     ],
 )  # fmt: skip

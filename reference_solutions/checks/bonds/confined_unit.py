@@ -22,12 +22,22 @@ Z, F, BASE = 0, 1, 2  # indices of the parameters that change
 
 
 def sliding_failure(
-    *, kn: float, ks: float, xb: float, fs0: float, mu_p: float, d: float, fx: float
-) -> tuple[float, float, float, float, float]:
+    *,
+    kn: float,
+    ks: float,
+    xb: float,
+    fs0: float,
+    mu_p: float,
+    d: float,
+    fx: float,
+    overshoot: float = 1.0,
+) -> tuple[float, ...]:
     """The pressure [Pa] and the strain at which inclined bonds slide, under inward loads fx [N].
 
-    Three values follow: the strain and the pressure [Pa] at which the base opens, and the fraction
-    of the strength of inclined bonds that remains in the undamped oscillation after it.
+    Seven values follow: the strain and the pressure [Pa] at which the base opens, the pressure in
+    the new equilibrium, and the loads of inclined bonds, over those at which they slide: before the
+    base opens, in the new equilibrium, and where the unit swings beyond it by a share (overshoot)
+    of its distance from it; and their stretch there over xb.
     """
     g, limit = ks / kn, fs0 / (kn * d)
 
@@ -43,18 +53,33 @@ def sliding_failure(
         fz = 3.0 * kn * d * (stretch * cos(angle) + g * state[1] * sin(angle))
         return float(-2.0 * fz / (sqrt(3.0) * d * d))
 
-    def used(state: Array, at: Array) -> float:
-        return float(g * abs(state[1]) / (limit - mu_p * (hypot(state[0], at[Z]) - 1.0)))
+    def load(r: float, s: float, z: float) -> float:
+        return float((g * abs(s) + mu_p * (hypot(r, z) - 1.0)) / limit)
 
     at, state = np.array([HEIGHT, 0.0, 1.0]), np.array([1.0 / sqrt(3.0), 0.0])
     at, state = _driven(state, at, F, fx / (kn * d), g)
     at, state = _driven(state, at, Z, 0.95 * HEIGHT, g, opens)
-    opened, held, before = float(at[Z]) / HEIGHT - 1.0, pressure(state, at), used(state, at)
+    opened, held, begun = float(at[Z]) / HEIGHT - 1.0, pressure(state, at), state
     at, state = _driven(state, at, BASE, 0.0, g)
-    after = used(state, at)
+    settled, z = pressure(state, at), float(at[Z])
+    far = state[0] + overshoot * (state[0] - begun[0])
+    swung = begun[1] - _slipped(float(begun[0]), float(far), z)
+    loads = (
+        load(begun[0], begun[1], z),
+        load(state[0], state[1], z),
+        load(far, swung, z),
+        (hypot(far, z) - 1.0) * d / xb,
+    )
     at, state = _driven(state, at, Z, 0.95 * HEIGHT, g, slides)
     strain = float(at[Z]) / HEIGHT - 1.0
-    return pressure(state, at), strain, opened, held, 1.0 + before - 2.0 * after
+    return pressure(state, at), strain, opened, held, settled, *loads
+
+
+def _slipped(begin: float, end: float, z: float) -> float:
+    """What the shear loses while a base element moves outwards at the height z of the top."""
+    from scipy.integrate import quad
+
+    return float(quad(lambda r: z / hypot(r, z), begin, end, epsabs=1e-15, epsrel=1e-12)[0])
 
 
 def _unbalanced(r: float, s: float, at: Array, g: float) -> float:

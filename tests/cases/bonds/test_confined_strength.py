@@ -7,6 +7,7 @@ import pytest
 
 from adapters.dem import ADAPTER
 from cases.bonds.confined_strength import CASE
+from cases.bonds.parts import _open_base
 from vv.ask import Knobs, Method
 from vv.case import Exact, Ladder, Scalar
 
@@ -45,7 +46,10 @@ def test_what_viscosity_leaves_is_that_of_a_load_on_the_base(
     ("changes", "why"),
     [
         ({"fs0": 11.3, "mu_p": 0.17}, "bonds slide below the pressure that opens the base"),
-        ({"fs0": 10.4, "mu_p": 0.36, "ks": 1.04e7}, "the oscillation after the base opens makes"),
+        (
+            {"fs0": 10.4, "mu_p": 0.36, "ks": 1.04e7, "eta": 2.0},
+            "the oscillation after the base opens loads",
+        ),
     ],
 )
 def test_bonds_that_slide_as_the_base_opens_are_refused(
@@ -53,3 +57,34 @@ def test_bonds_that_slide_as_the_base_opens_are_refused(
 ) -> None:
     with pytest.raises(ValueError, match=rf"fx = 8\.0 N, of which one unit bears .*{why}"):
         CASE.declare("two", {**CASE.defaults("two"), **changes})
+
+
+SWINGS = {"kn": 9e7, "m": 1.9e-6}
+
+
+@pytest.mark.parametrize(
+    ("given", "sound"),
+    [
+        (SWINGS | {"eta": 2.0}, True),
+        (SWINGS | {"eta": 1.5}, False),
+        (SWINGS | {"fs0": 24.0, "eta": 2.0}, True),
+        (SWINGS | {"fs0": 24.0, "eta": 1.5}, False),
+    ],
+    ids=["nearly slides", "slides", "nearly opens", "opens"],
+)
+def test_bonds_fail_in_the_swing_of_an_open_base_where_parameters_are_refused(
+    given: dict[str, float], sound: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without the refusal dem finds another strength; a little more viscosity, and it agrees."""
+    parameters = {**CASE.defaults("two"), **given}
+    if not sound:
+        with pytest.raises(ValueError, match="the oscillation after the base opens"):
+            CASE.declare("two", parameters)
+        monkeypatch.setattr(_open_base, "require_sound", lambda *_: None)
+    trial = CASE.declare("two", parameters)
+    (run,) = ADAPTER.run([cast(Ladder, trial.study).ask(Knobs(dt=2e-8))], "default", tmp_path, 0.0)
+    bare = trial.quantities[0]
+    assert isinstance(bare, Scalar)
+    assert isinstance(bare.judge, Exact)
+    error = abs(bare.observe(run) / cast(float, bare.reference) - 1.0)
+    assert (error < bare.judge.tolerance(Method.SECOND_ORDER).value) == sound
