@@ -31,6 +31,7 @@ BLOCK = Displacement(1)
 HALF = np.array([0.5, 0.5, 0.1])  # m; a plate hardly tips as friction pulls at its base
 FEW, MANY = 3.4, 102.0  # steps to the stop at the coarsest setting
 ROUNDING = 1e-11  # of some hundred steps
+EPS = float(np.finfo(float).eps)
 FOUND = 1e-4  # of a step: how exactly the stop is to be found
 WATCHED = 4  # times as long as it slides, so that later creep is seen
 STIFF = (1e9, 1e10)  # N/m
@@ -98,6 +99,7 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
     stretch = friction / (points * SHEAR * STIFF[0])
     leaning = friction * HALF[2] ** 2 / (RESTS * STIFF[0] * HALF[0] ** 2) if turns else 0.0
     late = 0.25 / (count * stop)
+    rounding = max(ROUNDING, 4 * EPS * float(np.abs(HALF).max()) / way)
     softer, stiffer = 2.5 * (stretch + leaning) / way, STIFF[0] / STIFF[-1]
     springs = Tolerance(
         softer * stiffer,
@@ -111,14 +113,15 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
     return Exact({
         Method.EXACT: Tolerance(1e-12, "one event, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
-            max((FOUND / count) ** 2, ROUNDING),
+            max((FOUND / count) ** 2, rounding),
             "the trapezoidal rule follows a parabola, so that only the stop can be missed. The "
             "case demands that it is found to 1e-4 of its step, by which an error of (1e-4 dt/T)^2 "
             "of the displacement is left: a demand and no estimate, which tells schemes that find "
-            "the stop from those that end the step at rest and are off by (dt/T)^2/4",
+            "the stop from those that end the step at rest and are off by (dt/T)^2/4. Its floor is "
+            "the rounding of the block's position and corners",
             dt=stop / count,
             order=2,
-            floor=ROUNDING,
+            floor=rounding,
         ),
         Method.STRAIGHT: Tolerance(
             0.25 / count**2,
