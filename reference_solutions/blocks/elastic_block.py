@@ -53,6 +53,20 @@ def standing(
     return strains
 
 
+def standing_modes(
+    *, sides: Sides, rho: float, young: float, poisson: float, g: float
+) -> tuple[Array, Array]:
+    """The mean (3, 3) of each strain of a box on a base in each mode, by size; squared frequencies.
+
+    The squared frequencies (3,) are in 1/s2.
+    """
+    require_finite("m/s2", g=g)
+    swung = _inertia(sides, rho) * [1.0, 1.0, 4.0]
+    force = np.array([0.0, 0.0, -rho * g * sides[2] / 2.0])
+    squares, shares = _modes(swung, law(young, poisson), force)
+    return np.abs(shares), squares
+
+
 def spinning(
     t: ArrayLike, *, sides: Sides, rho: float, young: float, poisson: float, spin: float
 ) -> Array:
