@@ -104,9 +104,10 @@ def _path(variant: str, p: Parameters, t: Vector) -> Vector:
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant != "viscous" and p["zn"]:
         raise ValueError(f"zn = {p['zn']!r}; only the variant 'viscous' has viscous contacts")
-    if not p["u"] < RADIUS / 10:
+    if not p["u"] < RADIUS / 20:
         raise ValueError(
-            f"u = {p['u']!r} m; it must be below a tenth of the radius, {RADIUS / 10:g} m"
+            f"u = {p['u']!r} m; it must be below {RADIUS / 20:g} m, so that overlaps, which reach "
+            "twice as much, stay below a tenth of the radius"
         )
     if not p["z"] + p["zn"] < 1:
         raise ValueError(

@@ -35,6 +35,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
     [
         ("dem", "at-yield", "above", {"f": 3.1, "g": 6.0}, Knobs(2.5e-4, 1e9)),
         ("dda", "laden-block", "turning", {"alpha": 20.0, "v": 2.0}, Knobs(1e-4, 1e9)),
+        ("dem", "laden-block", "level", {"duration": 0.02}, Knobs(5e-4, 1e8)),
         ("dda", "laden-block", "turning", {"a": 2.5, "press": 4.0}, Knobs(1e-3, 1e8)),
         ("dem", "resting", "knocked", {"mu": 0.6}, Knobs(2e-4)),
         ("dem", "resting", "knocked", {"mu": 0.0}, Knobs(2e-4)),

@@ -102,16 +102,17 @@ def speeds(by: Driven, axis: int) -> Exact:
 
 def books(by: Driven) -> dict[Method, Tolerance]:
     """The bounds of the ledger."""
-    swings = np.array([by.mu, 1.0]) * by.rate / by.w
+    swings = np.array([by.mu, 1.0]) * max(by.rate / by.w, by.begins * by.w)
     started, sizes = (by.pulled[0] ** 2).sum(), np.abs(by.pulled)
     most = ((sizes + swings) ** 2).sum(axis=1).max()
     least = (np.maximum(sizes - swings, 0.0) ** 2).sum(axis=1).min()
-    change = max(most - started, started - least) / by.speed**2
+    change = (most if by.late else max(most - started, started - least)) / by.speed**2
     counted = _bound(
         max(change * STEP**2 / 4, FINEST),
         "explicit steps count the work of the mean of the forces at their ends, and have the mean "
         "of two velocities: energy over mass is off by (a^2 - a0^2) dt^2/8, a the acceleration now "
-        "and a0 at the start, of the v^2/2 that is stored; a oscillates by p'/w on the spring",
+        "and a0 at the start, of the v^2/2 that is stored, or by a^2 dt^2/8 where the first velocity "
+        "is the given one; a oscillates by p'/w on the spring, and by a0 w dt/2 there",
         dt=STEP, order=2, floor=FINEST,
         slack="implicit steps count the work of the forces that move the block",
     )  # fmt: skip
