@@ -111,8 +111,8 @@ def books(by: Driven) -> dict[Method, Tolerance]:
         max(change * STEP**2 / 4, FINEST),
         "explicit steps count the work of the mean of the forces at their ends, and have the mean "
         "of two velocities: energy over mass is off by (a^2 - a0^2) dt^2/8, a the acceleration now "
-        "and a0 at the start, of the v^2/2 that is stored, or by a^2 dt^2/8 where the first velocity "
-        "is the given one; a oscillates by p'/w on the spring, and by a0 w dt/2 there",
+        "and a0 at the start, of the v^2/2 that is stored, or by a^2 dt^2/8 where its first "
+        "velocity is given; a oscillates by p'/w on the spring, and by a0 w dt/2 there",
         dt=STEP, order=2, floor=FINEST,
         slack="implicit steps count the work of the forces that move the block",
     )  # fmt: skip
