@@ -135,7 +135,7 @@ def _ringing(p: Parameters, w: float) -> tuple[Quantity, ...]:
 def _coupled(p: Parameters, w: float) -> tuple[Quantity, ...]:
     path = functools.partial(exact.standing, **_law(p), g=p["g"])
     shares, squares = exact.standing_modes(**_law(p), g=p["g"])
-    amplitude = np.abs(path(_period(p))).max() / 2
+    amplitude = np.abs(exact.standing(_period(p), **_law(p), g=p["g"])).max() / 2
     rates = np.sqrt(squares) / w
     damped, lowered = (
         np.maximum(1.0, shares @ rates**power / amplitude) for power in (2, 3)

@@ -37,7 +37,7 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("unlike-bonds", "spinning", {}, {"eta": 1.0}, DRAG),
         ("unlike-bonds", "slowed", {"g": 0.0}, {"g": 1.0}, "has no gravity"),
         ("shaken-corner", "viscous", {"zn": 0.02}, {"u": 5.1e-5}, "below a tenth of the radius"),
-        ("shaken-corner", "wall", {"u": 9.9e-5}, {"zn": 0.02}, "only the variant 'viscous'"),
+        ("shaken-corner", "wall", {"u": 4.9e-5}, {"zn": 0.02}, "only the variant 'viscous'"),
         ("shaken-corner", "viscous", {"z": 0.6, "zn": 0.39}, {"z": 0.7, "zn": 0.3}, "below 1, so"),
         # the signs of rates and of drag
         ("tetrahedral-unit", "gamma-0", {"eta": 20.0}, {"eta": 0.0}, "must be positive: without"),
