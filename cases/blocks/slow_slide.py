@@ -99,7 +99,7 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
     stretch = friction / (points * SHEAR * STIFF[0])
     leaning = friction * HALF[2] ** 2 / (RESTS * STIFF[0] * HALF[0] ** 2) if turns else 0.0
     late = 0.25 / (count * stop)
-    rounding = max(ROUNDING, 4 * EPS * float(np.abs(HALF).max()) / way)
+    rounding = max(ROUNDING, 4 * EPS * float(HALF.max()) / way if turns else 0.0)
     softer, stiffer = 2.5 * (stretch + leaning) / way, STIFF[0] / STIFF[-1]
     springs = Tolerance(
         softer * stiffer,

@@ -45,6 +45,7 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("close-packed-energy", "pressed-82", {}, {"rate": 0.0}, "negative where it is pressed"),
         ("close-packed-failure", "82", {}, {"rate": 0.0}, "it must be negative"),
         ("tetrahedral-unit", "pulled", {"kn": 2.3e5}, {"kn": 2e5}, "creeps to rest at 6.27e\\+04"),
+        ("masonry", "slides", {"D": 0.12}, {"D": 0.13}, "no longer bears its last stone"),
         # the friction that holds a corner or a voussoir
         ("masonry", "rest", {"mu": 0.309}, {"mu": 0.3089}, "whatever the thrust of the arch"),
         ("rocking", "search", {"mu": 0.34}, {"mu": 0.33}, "mu = 0.33; it must exceed b/h"),

@@ -23,7 +23,12 @@ def alone(p: Parameters) -> bool:
     that of the base. Forces that are linear in it balance any smaller one, and the wall is
     symmetric, so that the largest to one side decides.
     """
-    thrust = _thrust(p)
+    thrust, far = _thrust(p), float(np.abs(slid(np.linspace(0.0, p["duration"], 501), p)).max())
+    if far > LENGTH / 2:
+        raise ValueError(
+            f"D = {p['D']!r} m; the wall slides by {far:.4g} m, and beyond {LENGTH / 2:g} m its "
+            "bed, which is as long as the wall, no longer bears its last stone"
+        )
     if not (_bears(p, 1.0) or _balanced(*_size(p), p["mu"], thrust, upright=True)):
         raise ValueError(
             f"mu = {p['mu']!r}; the wall does not move as one block: where it slides, or is shaken "
