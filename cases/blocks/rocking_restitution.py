@@ -33,6 +33,7 @@ X, Y, Z = np.eye(3)
 RATIOS = {"aspect-3": {"concrete": 0.97}, "aspect-5": {"concrete": 0.95, "rubber": 0.67}}
 DENSITY, LEAN = 2500.0, 0.5  # kg/m3; initial lean over alpha
 STEP = 1e-3  # s
+LEAST = 0.1  # restitution: after an impact the block rises for a twentieth of its fall then
 
 
 def _block(p: Parameters, lean: float) -> Block:
@@ -55,8 +56,14 @@ def _declare(variant: str, p: Parameters) -> Trial:
         )
     alpha, rate = rocking.slenderness(**law)
     due = rocking.restitution(p["b"], p["h"])
-    first = math.acosh(1.0 / (1.0 - LEAN)) / rate  # for small angles, right to a few per cent
-    goal = History(STEP * round(1.5 * first / STEP), STEP * 10)
+    if not due >= LEAST:
+        raise ValueError(
+            f"b/h = {p['b'] / p['h']:.4g}; of its rate {due:.3g} remains after an impact, so that "
+            f"impacts hardly differ in time; {LEAST} is needed"
+        )
+    first, again = _fall(LEAN), 1.0 - math.sqrt(1.0 - due**2 * LEAN * (2.0 - LEAN))
+    ends = first + min(first / 2.0, _fall(again))  # before the second impact
+    goal = History(STEP * round(ends / rate / STEP), STEP * 10)
     scene = Scene(
         (Wall(np.zeros(3), Z), _block(p, LEAN * alpha)), Contact(np.inf, mu=p["mu"]),
         gravity=-p["g"] * Z,
@@ -71,12 +78,17 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
     exact = Scalar(
         "restitution", "e", "", "rate of the lean after the first impact over that before", kept,
-        due, due, _judge(rate),
+        due, due, _judge(rate, due),
     )  # fmt: skip
     study = Ladder(scene, goal, (CENTRE, MOVING), LEVELS)
     weight = sum(block.mass for block in scene.blocks) * p["g"]
     gave = EnergyAllowance(weight * math.hypot(p["b"], p["h"]), {Method.LAGGING: LAGS})
     return Trial(study, (exact, *_measured(variant, due, kept)), gave)
+
+
+def _fall(lean: float) -> float:
+    """The time of a fall from a lean over alpha, times p: for small angles, else 5 % less."""
+    return math.acosh(1.0 / (1.0 - lean))
 
 
 def _lowered(p: Parameters, lean: float) -> float:
@@ -85,13 +97,13 @@ def _lowered(p: Parameters, lean: float) -> float:
     return p["h"] - far * math.cos(alpha - lean)
 
 
-def _judge(rate: float) -> Exact:
-    """rate: p [1/s]."""
+def _judge(rate: float, due: float) -> Exact:
+    """rate: p [1/s]; due: the restitution."""
     step = Tolerance(
-        10.0 * (rate * STEP) ** 2,
+        max(10.0, 0.5 / due**2) * (rate * STEP) ** 2,
         "the step changes the rate by (p dt)^2/12 a swing. The impact is located within a step: "
         "the error of its height is at most the displacement in half a step, (p dt)^2 of the "
-        "energy",
+        "energy, of which the square of the restitution remains",
         dt=STEP, order=2, floor=1e-5,
     )  # fmt: skip
     return Exact({Method.SECOND_ORDER: step}, not_judged=SHOWN)

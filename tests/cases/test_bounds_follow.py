@@ -54,6 +54,8 @@ RIGHT = {
     "passing:sheared ks=10": "dem/default",
     "passing:sheared duration=2.5e-4": "dem/default",
     "galperin:31 ratio=0.1": "exact/default",
+    "rocking-restitution:aspect-3 b=0.588 mu=1.07 g=6.11": "rigid/default",
+    "rocking-restitution:aspect-3 b=0.73 mu=2": "rigid/default",
     "galperin:31 ratio=44.3 kn=7.66e5": "dem/default",
     "galperin:31 ratio=178.6 kn=6.49e6": "dem/published",
     "grazing:T3 r=5e4": "exact/default",

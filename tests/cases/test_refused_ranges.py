@@ -50,6 +50,8 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("masonry", "rest", {"mu": 0.309}, {"mu": 0.3089}, "whatever the thrust of the arch"),
         ("rocking", "search", {"mu": 0.34}, {"mu": 0.33}, "mu = 0.33; it must exceed b/h"),
         ("rocking-restitution", "aspect-3", {"mu": 0.34}, {"mu": 0.33}, "it must exceed b/h"),
+        ("rocking-restitution", "aspect-3", {"b": 0.73, "mu": 2.0}, {"b": 0.74, "mu": 2.0},
+         "of its rate 0.095 remains after an impact"),
         ("failure-modes", "2d-10", {"phi": 84.0}, {"phi": 86.0}, "it must be between 1 and 85"),
         ("failure-modes", "2d-10", {"phi": 1.2}, {"phi": 0.9}, "it must be between 1 and 85"),
         # how far bodies sink into one another, and how stiff contacts are
