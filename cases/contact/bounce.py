@@ -150,10 +150,12 @@ def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple
     for n, motion in enumerate(motions, 1):
         second, first = _pair_errors(p, n, step)
         way = _way(motion)
-        # only friction acts across the line of centres: mu times the normal force, twice if it
-        # rotates
+        # Only friction acts across the line of centres: mu times the normal force, twice if it
+        # rotates. While the spheres stick, shear springs swing with kt^2 = 3.5 ks/m and a velocity
+        # of up to mu v k/kt: an error of the phase of (kt dt)^2/24 times kt, for a time of pi/k.
+        rubs = max(min(2 * p["mu"], 1.0), math.pi / 6 * p["mu"] * 3.5 * p["ks"] / p["kn"])
         for i, (axis, how, part) in enumerate(PARTS):
-            share = min(2 * p["mu"], 1.0) ** part / way
+            share = rubs**part / way
             jump, order = _released(p, mass_of(p, p[f"r{n}"]), step * GOAL.duration, second)
             worst = second * share + part * jump / way + ROUNDED
             judge = _judge(step, worst, first * share + worst, why=OF_PAIR, order=order * part or 2)
@@ -218,7 +220,9 @@ ON_FLOOR = (
 )
 OF_PAIR = (
     "each end of a contact falls within a step, and costs up to (k dt)^2/8 of the closing speed, "
-    "k^2 = kn (1/m1 + 1/m2); the errors of both ends of one contact may add, for the whole time",
+    "k^2 = kn (1/m1 + 1/m2); the errors of both ends of one contact may add, for the whole time. "
+    "Across the line of centres it is the part by friction or, if that is more, pi/24 (kt dt)^2 mu "
+    "of the closing speed by the phase of shear springs, kt^2 = 3.5 ks (1/m1 + 1/m2)",
     "the load acts half a step late at the start: the closing speed is too small by a dt/2 for the "
     "whole time, a = P (1/m1 + 1/m2)",
 )
