@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cases.impact.parts import _dem05, _printed
+from cases.impact.parts._materials import require_shallow
 from reference_solutions.impact import pressed_pair, slip_to_roll
 from reference_solutions.impact.dropped import Drop, path
 from reference_solutions.impact.sinking import Sinking, motion
@@ -118,6 +119,9 @@ def _pressed_pair(p: Parameters) -> Setting:
         return pressed_pair.heights(t, start, masses=both, **law)[..., i] - start[i]
 
     unit = math.sqrt(float(masses.min()) / (3.0 * p["kn"]))
+    y = np.array(start) + np.stack([moved(np.linspace(0.0, PRESSED, FINE), i) for i in (0, 1)], -1)
+    gaps = y[:, 0] - p["R"], y[:, 1] - y[:, 0] - 2.0 * p["R"], p["H"] - p["R"] - y[:, 1]
+    require_shallow(-float(np.min(gaps)), p["R"])
     ahead, steps = _ahead(PRESSED / unit), (0.08, 0.04, 0.02, 0.005, 0.001)
     late = max(0.4, LAST * unit / PRESSED)
     worst = max(ahead * steps[0], late + (ahead - 2.0) * steps[0]) * steps[0]
@@ -211,6 +215,7 @@ KINDS: dict[str, Callable[[Parameters], Setting]] = {
 }
 OUTPUTS = 400
 PRESSED, SINKS = 1e-3, 0.35  # s
+FINE = 1001  # times at which overlaps of the pressed pair are computed
 LAST = 1.15  # the pressed pair's duration over the time of its last output, at most
 HIGHER, LEAST = 1.1, 1e-4  # errors of higher order; a sphere may start at its terminal speed
 

@@ -68,6 +68,8 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("kinetic-damping", "3-per-cent", {"t": 0.1}, {"t": 0.0}, "both must be positive"),
         ("skid", "wall", {"vn": 9.9}, {"vn": 10.1}, "would sink by 0.0101 m; it must be"),
         ("unlike-bonds", "slowed", {"eta": 3990.0}, {"eta": 4010.0}, "it must be below 4000 N s/m"),
+        ("mfix", "dem03", {"h": 4.76e-4, "h2": 1.428e-3, "H": 1.904e-3},
+         {"h": 4.7e-4, "h2": 1.41e-3, "H": 1.88e-3}, "an overlap of 6e-05 m at most"),
         # shapes, materials and strains
         ("hertz-impact", "glass", {"poisson": 0.5}, {"poisson": 0.51}, "must lie in \\[0, 0.5\\]"),
         ("hertz-impact", "glass", {"poisson": 0.0}, {"poisson": -0.01}, "must lie in \\[0, 0.5\\]"),
