@@ -67,7 +67,7 @@ def solved(way: str, p: Vector, blocks: int = BLOCKS, most: int = 20_000) -> Any
     solve = getattr(few if way == "solve_chained" else many, way).py_func
     none: Any = None
     problem = Problem(none, none, none, p, p.copy(), p.copy())
-    return solve(Limits(blocks, ASKED, most), problem, 1, ASKED, none)
+    return solve(Limits(blocks, ASKED, most, 0.0), problem, 1, ASKED, none)
 
 
 def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = STUCK) -> Vector:

@@ -19,11 +19,19 @@ DT = 1e-3  # s
 MASONRY = find().load_case("masonry")
 
 
-def test_the_first_step_of_a_wall_at_rest_bears_its_weight() -> None:
-    scene = running_bond(4, 4)
-    program = solved(scene, 5 * DT, interval=DT)
-    borne = program.reactions[:, 0] / (sum(block.mass for block in scene.blocks) * G)
-    assert np.abs(borne - [0.0, 0.0, 1.0]).max() <= 1e-8
+@pytest.mark.parametrize(("columns", "courses"), [(4, 4), (3, 14), (10, 6), (10, 14)])
+@pytest.mark.parametrize("dt", [DT, 1e-5])
+def test_the_first_step_of_a_wall_at_rest_bears_every_weight(
+    columns: int, courses: int, dt: float
+) -> None:
+    """Friction shares the thrusts of stones in many ways, but each stone must bear its weight."""
+    scene = running_bond(columns, courses)
+    program = solved(scene, 5 * dt, dt, interval=dt)
+    masses = np.array([block.mass for block in scene.blocks])
+    borne = program.reactions[:, 0] / (masses.sum() * G)
+    assert np.abs(borne - [0.0, 0.0, 1.0]).max() <= 1e-9
+    each = program.arguments[3][:, : len(masses), :3] / (masses * G)[:, None]
+    assert np.abs(each - [0.0, 0.0, 1.0]).max() <= 1e-9
 
 
 def test_the_base_gives_a_sliding_wall_its_momentum() -> None:

@@ -47,6 +47,15 @@ Later steps of a scene at rest start from the impulses of this one: with the usu
 a hundred steps to settle. A wall that slides at once would need more than 10 000 sweeps.
 """
 
+BORNE, SETTLES, STIFFEST = 1e-9, 10, 1e5
+"""Over the weights of all blocks: what the reaction of the base may lack if they start at rest.
+
+Residuals of contacts add up over blocks that stand on each other, at most all, so that a contact is
+asked for this part of the velocity that weight gains in a step, over the number of blocks. Then the
+most Newton rounds for it, and the stiffness of contacts over inertia beyond which rounding of
+velocities grows to impulses above what is asked.
+"""
+
 CARRIED, STEADIED = 600, 200
 """Number of sweeps with momentum, and then with conjugate gradients, before the methods alternate.
 

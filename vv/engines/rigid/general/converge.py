@@ -16,7 +16,7 @@ def converged(
     setting: Setting, problem: Problem, fewest: int, tolerance: float
 ) -> tuple[int, float]:
     """Solve contacts as `solve_few`, whether blocks are few or many."""
-    limits = Limits(len(setting.mass), setting.tolerance, setting.most)
+    limits = Limits(len(setting.mass), setting.tolerance, setting.most, setting.finest)
     if limits.blocks <= SMALL:
         return solve_few(limits, problem, fewest, tolerance)
     left = numbers(1)

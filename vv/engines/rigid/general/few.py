@@ -32,11 +32,16 @@ ZERO = (0.0, 0.0, 0.0)
 
 @bundle
 class Limits(NamedTuple):
-    """The number of blocks, the largest residual asked [m/s], and the largest number of sweeps."""
+    """What a solver of contacts is to reach, and how long it may take.
+
+    The number of blocks; the largest residual asked [m/s]; the largest number of sweeps; and the
+    residual [m/s] asked of the first step of many blocks, with which it bears their weights.
+    """
 
     blocks: int
     tolerance: float
     most: int
+    finest: float
 
 
 @called

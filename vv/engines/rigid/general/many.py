@@ -33,6 +33,7 @@ from vv.engines.rigid.solver.cone import Friction, Problem, copy_rows, solve_con
 from vv.engines.rigid.solver.drift import leap_sweeps
 from vv.engines.rigid.solver.momentum import momentum_sweeps
 from vv.engines.rigid.solver.rounds import newton_rounds
+from vv.engines.rigid.solver.settled import settled
 from vv.scene import Vector
 
 
@@ -42,7 +43,7 @@ def examples() -> tuple[Any, ...]:
     which = np.zeros(1, np.int64)
     joints = Joints(which, which, rows, rows, rows, rows, one, one)
     bodies, friction = Bodies(square, square, rows), Friction(0.0, one, rows, rows)
-    return one, Limits(0, 0.0, 0), Problem(joints, bodies, friction, rows, rows, rows), 0, 0.0
+    return one, Limits(0, 0.0, 0, 0.0), Problem(joints, bodies, friction, rows, rows, rows), 0, 0.0
 
 
 def address() -> int:
@@ -75,7 +76,8 @@ def solve_or_retry(
 
     If these do not reach the limit of the residual, the solution is started again without leaps. If
     that fails, too, Newton rounds are tried, from the same impulses, from none and from the best so
-    far, which is kept otherwise.
+    far, which is kept otherwise. The first step of blocks at rest, of which a finer residual is
+    asked, is then solved until it bears the weights of all.
     """
     p, v, w = problem.p, problem.v, problem.w
     place, apart = band_ordering(problem.joints, problem.bodies, limits.blocks)
@@ -84,6 +86,8 @@ def solve_or_retry(
     start, start_v, start_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
     sweeps, left = solve_with_leaps(limits, problem, fewest, tolerance, place)
     if left <= limits.tolerance:
+        if tolerance < limits.tolerance:
+            left = settled(problem, limits.finest, place)
         return sweeps, left
     best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
     copy_rows(p, start)

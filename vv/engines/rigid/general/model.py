@@ -11,6 +11,7 @@ import numpy as np
 from vv.engines.blocks.geometry import depth_axis, planes, shapes
 from vv.engines.rigid.limits import (
     BENDS,
+    BORNE,
     COARSE,
     CRAWLS,
     FEWEST,
@@ -23,7 +24,7 @@ from vv.engines.rigid.limits import (
     SMALL_MOST,
     TOUCHING,
 )
-from vv.engines.rigid.scales import scales
+from vv.engines.rigid.scales import Scales, scales
 from vv.scene import Mask, Scene, Term, Vector
 
 
@@ -97,7 +98,7 @@ class Space:
             tolerance=FINEST * min(known.speed, known.given + LONG * known.pull * dt)
             if small
             else min(COARSE * known.speed, CRAWLS * known.fall),
-            finest=FINE * known.weight * dt if small else np.inf,
+            finest=_finest(known, len(blocks)) * dt,
             fewest=0 if small else FEWEST,
             most=SMALL_MOST if small else MOST,
             bends=BENDS if small else 0,
@@ -144,3 +145,11 @@ def _projector(axes: Vector, free: Mask) -> Vector:
     """The projector (3, 3) on the free axes."""
     rows = axes[free]
     return np.asarray(rows.T @ rows)
+
+
+def _finest(known: Scales, blocks: int) -> float:
+    """The smallest residual asked, over the step [m/s2]; no bound for many blocks that move."""
+    if blocks <= SMALL:
+        return FINE * known.weight
+    at_rest = known.given == 0.0 and known.pull == known.weight
+    return BORNE / blocks * known.weight if at_rest else np.inf

@@ -179,8 +179,8 @@ def attempt(
             put(friction.d, c, add_scaled(ZERO, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
     tolerance = residual_asked(setting, fastest, apart)
-    if n > SMALL and len(past.key) == 0:
-        tolerance *= UNHINTED
+    if n > SMALL:
+        tolerance = setting.tolerance * (UNHINTED if len(past.key) == 0 else 1.0)
     return solved(
         setting, now, span, Problem(joints, bodies, friction, p, v, w), middle, turn,
         same_counts(found.key, count), Gaps(gap, slack, opens, known), v_old, w_old, tolerance,

@@ -20,7 +20,7 @@ from vv.engines.rigid.solver.cone import Problem, residual
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
-ASKED = 1e-6  # m/s
+ASKED, FINEST = 1e-6, 1e-13  # m/s
 
 
 def test_velocities_are_parted_from_impulses_and_joined_with_them() -> None:
@@ -152,10 +152,12 @@ def told_by(
     leaps: float,
     turns: float,
     anew: list[float],
+    first: float = 1.0,
 ) -> tuple[list[Any], tuple[int, float], Vector]:
     """What `solve_or_retry` tries, its result and impulses; each method adds to the impulses.
 
-    leaps, turns, anew: the residuals that they leave.
+    leaps, turns, anew: the residuals that they leave; first: the part of the usual residual that
+    is asked, below 1 in the first step.
     """
     said: list[Any] = []
     left = iter(anew)
@@ -173,6 +175,10 @@ def told_by(
         problem.p[:] += 100.0
         return next(left)
 
+    def settle(problem: Problem, tolerance: float, _: Any) -> float:
+        said.append(("settled", float(problem.p[0, 0])))
+        return tolerance
+
     monkeypatch.setattr(many, "band_ordering", lambda *_: (None, apart))
     monkeypatch.setattr(many, "solve_with_leaps", method("leaps", 7, 1.0, leaps))
     monkeypatch.setattr(many, "solve_in_turns", method("turns", 20, 10.0, turns))
@@ -180,12 +186,20 @@ def told_by(
     monkeypatch.setattr(many, "velocities_without", lambda given: (given.v, given.w))
     monkeypatch.setattr(many, "recomputed", lambda *_: 0.0)
     monkeypatch.setattr(many, "newton_rounds", newton)
-    limits = few.Limits(SMALL + 1, ASKED, 20_000)
+    monkeypatch.setattr(many, "settled", settle)
+    limits = few.Limits(SMALL + 1, ASKED, 20_000, FINEST)
     p = np.full((2, 3), 0.5)
     nothing: Any = None
     problem = Problem(nothing, nothing, nothing, p, p.copy(), p.copy())
-    result = many.solve_or_retry(limits, problem, 1, 0.1 * ASKED)
+    result = many.solve_or_retry(limits, problem, 1, first * ASKED)
     return said, result, p
+
+
+def test_the_first_step_of_many_blocks_is_solved_until_it_bears_their_weights(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    said, result, _ = told_by(monkeypatch, CHAIN + 1, GOOD, BAD, [], first=0.1)
+    assert (said, result) == ([("leaps", 0.5), ("settled", 1.5)], (7, FINEST))
 
 
 def test_a_chain_is_solved_as_one(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -203,7 +217,9 @@ def test_contacts_of_many_blocks_are_solved_at_the_address_given(
 
     monkeypatch.setattr(converge, "solve_few", lambda limits, *_: (limits.blocks, limits.tolerance))
     monkeypatch.setattr(converge, "solve_many_at", solve_many_at)
-    setting: Any = SimpleNamespace(mass=np.ones(blocks), tolerance=ASKED, most=40, solver=2)
+    setting: Any = SimpleNamespace(
+        mass=np.ones(blocks), tolerance=ASKED, most=40, solver=2, finest=0.0
+    )
     nothing: Any = None
     found = converge.converged(setting, nothing, 0, ASKED)
     assert found == (blocks, ASKED if blocks <= SMALL else 42)

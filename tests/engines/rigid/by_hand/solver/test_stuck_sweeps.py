@@ -84,7 +84,7 @@ class Stuck:
     def _given(self, blocks: int, most: int) -> Any:
         nothing: Any = None
         problem = Problem(nothing, nothing, nothing, self.p, self.p, self.p)
-        return Limits(blocks, MET, most), problem, 0, ASKED, nothing
+        return Limits(blocks, MET, most, 0.0), problem, 0, ASKED, nothing
 
 
 def test_leaps_end_where_the_residual_is_met(monkeypatch: pytest.MonkeyPatch) -> None:
