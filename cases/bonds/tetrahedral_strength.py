@@ -181,6 +181,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     closed = judged_balance(2e-7, FEW)
     if variant.startswith("pulled"):
         failed = tetrahedral_unit.tension_failure(element, d)
+        drag = p["eta"] * RATES[0] * abs(p["rate"]) * d * CORNERS[0, 2]  # may shear bonds too
+        _require_opening(p, "inclined", ks * abs(failed.x.xs1) + drag)
         strengths = _strength(
             "T_u", "tensile strength", _tensile_strength, p, failed.stress,
             "Eq. 7", lattice_material.tensile_strength(kn, ks, xb, d), 5e-9, ROUNDED,
@@ -189,6 +191,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         pressed = 5e-7 * max(1.0, (p["eta"] * p["rate"] / 45.0) ** 2)
         failed = tetrahedral_unit.sliding_failure(element, d)
         opened = tetrahedral_unit.opening_failure(element, d)
+        _require_opening(p, "level", 0.0)
         _require_later(p, abs(opened.strain), abs(failed.strain))
         strengths = _strength(
             "C_open", "pressure that opens the base", _opening_strength, p,
@@ -207,6 +210,20 @@ def _declare(variant: str, p: Parameters) -> Trial:
     moved = [Displacement(k + i) for k in units for i in range(3)]
     watched: tuple[Observable, ...] = (*(Reaction(k) for k in units), *moved)
     return Trial(Ladder(_scene(p), goal, watched, LEVELS), (*strengths, closed))
+
+
+def _require_opening(p: Parameters, kind: str, shear: float) -> None:
+    """Raises ValueError where stretched bonds slide before they open (Eq. 1).
+
+    shear: on them as they open [N]. While they stretch it grows and their strength falls, so that
+    the state at opening decides.
+    """
+    strength = p["fs0"] - p["mu_p"] * p["kn"] * p["xb"]
+    if not shear < strength:
+        raise ValueError(
+            f"xb = {p['xb']:.4g} m: {kind} bonds slide before they open, where they bear a shear "
+            f"of {shear:.4g} N; it must be below fs0 - mu_p kn xb = {strength:.4g} N"
+        )
 
 
 def _require_later(p: Parameters, opened: float, slid: float) -> None:
