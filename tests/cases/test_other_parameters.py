@@ -33,6 +33,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
 @pytest.mark.parametrize(
     ("code", "case", "variant", "given", "knobs"),
     [
+        ("rigid", "wedge", "xi-1e-06", {"dip": 55.3, "held": 1.21, "m": 1180}, Knobs(1e-2)),
         ("dem", "at-yield", "above", {"f": 3.1, "g": 6.0}, Knobs(2.5e-4, 1e9)),
         ("dda", "laden-block", "turning", {"alpha": 20.0, "v": 2.0}, Knobs(1e-4, 1e9)),
         ("dem", "laden-block", "level", {"duration": 0.02}, Knobs(5e-4, 1e8)),

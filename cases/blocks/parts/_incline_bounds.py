@@ -64,10 +64,23 @@ def along_dip(p: Parameters, own: bool) -> Exact:
         Method.STRAIGHT: _whole_stops(p, sine),
         Method.FIRST_ORDER: _half_steps(p),
     }
-    on_springs = _on_springs(springs)
+    on_springs = _on_springs(_started_late(p, springs))
     if uphill and not own:
         on_springs[Method.LAGGING] = _reversing_late(p, on_springs[Method.LAGGING])
     return Exact({**on_springs, **rigid})
+
+
+def _started_late(p: Parameters, springs: Tolerance) -> Tolerance:
+    """For a block that slips from the start, where the motion may start half a step late."""
+    if not (p["alpha"] > p["phi"] or p["v0"]):
+        return springs
+    gained = abs(p["g"] * np.sin(np.radians(p["alpha"])) - _friction(p)) * p["duration"]
+    return dataclasses.replace(
+        springs,
+        late=springs.late + float(gained / 2 / _largest_slip(p)),
+        reason=f"{springs.reason}; where the motion starts half a step late, it lacks a dt/2 of "
+        "the speed, a its acceleration at the start",
+    )
 
 
 def _reversing_late(p: Parameters, lagging: Tolerance) -> Tolerance:

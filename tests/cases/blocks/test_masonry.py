@@ -63,9 +63,9 @@ def test_springs_are_judged_up_to_a_third_of_the_thrust_at_which_bed_joints_open
     """Where friction changes its sign, springs without damping swing three times as far."""
     for part, judged in ((0.999, True), (1.001, False)):
         mu = part * ends / 3
-        bound = on_springs(columns=columns, courses=courses, mu=mu, D=0.2)
+        bound = on_springs(columns=columns, courses=courses, mu=mu, D=0.06)
         assert (bound is not None) is judged
-        walk = pytest.approx(walked(courses, mu, D=0.2))
+        walk = pytest.approx(walked(courses, mu, D=0.06))
         assert bound == (walk if judged else None)
 
 
@@ -79,7 +79,7 @@ def test_a_large_wall_is_declared_within_seconds() -> None:
     """It takes 1.4 s of CPU and took 14, most of it for pairs of stones that are far apart."""
     on_springs()  # imports
     began = time.process_time()
-    on_springs(columns=30.0, courses=30.0, mu=0.05, D=0.2)
+    on_springs(columns=30.0, courses=30.0, mu=0.05, D=0.06)
     assert time.process_time() - began < 4.0
 
 

@@ -125,7 +125,7 @@ class PreparedRigidBlocks:
     def _ledger(self) -> Ledger:
         terms, steps = self.energies, self.ask.goal.steps(self.ask.dt) + 1
         put_in, largest = float(terms[0].sum()), float(np.abs(terms).sum(axis=1).max())
-        rounding = ROUNDINGS * EPS * steps * largest
+        rounding = ROUNDINGS * EPS * steps * max(largest, self._balanced())
         unaccounted = float(np.abs(terms.sum(axis=1) - put_in).max())
         residual = float(self.report[:, 0].max())
         audits = {"residual of contact [m/s]": (residual, CONVERGED * scales(self.ask.scene).speed)}
@@ -142,6 +142,11 @@ class PreparedRigidBlocks:
             bound=rounding + left if self.system.closes else None,
             audits=audits,
         )
+
+    def _balanced(self) -> float:
+        """The kinetic energy [J] that weights and loads give in a step and contacts take back."""
+        mass = sum(block.mass for block in self.ask.scene.blocks)
+        return 0.5 * mass * (scales(self.ask.scene).weight * self.ask.dt) ** 2
 
     def _left_by_contacts(self) -> float:
         """A bound on the energy [J] exchanged by contacts because of their residual velocities.
