@@ -24,6 +24,7 @@ from vv.ask import (
 )
 from vv.engines.blocks.checks import block_index, size
 from vv.engines.dda.formulation import Formulation
+from vv.engines.dda.general.grooves import along_groove
 from vv.engines.dda.general.model import General
 from vv.engines.dda.limits import COULOMB, GAIN, MOMENTUM, REACH
 from vv.engines.dda.point.model import Sliding, sliding
@@ -232,7 +233,8 @@ def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
     choices = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
     held = any(isinstance(what, Reaction | Impulse) for what in ask.observables)
     small = sliding(ask.scene, choices) if choices.stepping == IMPLICIT and not held else None
-    system = small or General(ask.scene, choices)
+    scene = along_groove(ask.scene) if choices.multipliers else ask.scene
+    system = small or General(scene, choices)
     return PreparedBlocks(ask, choices, system)
 
 
