@@ -44,10 +44,11 @@ from vv.case.study import (
     settings_of,
     why_too_long,
 )
-from vv.case.wide_bounds import shown_if_wide
+from vv.case.wide_bounds import NOTHING, shown_if_wide
 
 __all__ = [
     "LARGEST_TOLERANCE",
+    "NOTHING",
     "Case",
     "Check",
     "CodeToCode",

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from vv.ask import Knobs
 from vv.base.metrics import Order
-from vv.case import LARGEST_TOLERANCE, Norm
+from vv.case import LARGEST_TOLERANCE, NOTHING, Norm
 from vv.gate.expiry import by_code_and_case, expiring, in_force
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
@@ -128,7 +128,8 @@ def judge(
 ) -> tuple[Record, ...]:
     """The records, with the verdicts that known disagreements change.
 
-    A failure within its bands is known (xfail). A failure outside them stays red, and a pass is
+    A failure within its bands is known (xfail), or shown only where a band at other parameters
+    holds an answer of zero. A failure outside them stays red, and a pass is
     reported (xpass). An entry that has expired excuses nothing.
     """
     given = list(records)
@@ -171,6 +172,9 @@ def _turned(
     if one.verdict is not Verdict.FAIL or one.note:
         return one  # not judged, or for example nothing moves: worse than any disagreement
     contrary = _not_as_known(record, one, known, order)
+    if not contrary and record.modified and (known.elsewhere or 0.0) >= NOTHING:
+        told = f"an error of {known.elsewhere:g} is known, so that nothing is told: {known.reason}"
+        return dataclasses.replace(one, verdict=Verdict.NO_REFERENCE, note=told)
     if not contrary:
         return dataclasses.replace(one, verdict=Verdict.XFAIL, note=known.reason)
     return dataclasses.replace(one, note=f"{contrary} of the known disagreement")
