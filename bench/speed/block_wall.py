@@ -40,9 +40,9 @@ def figures(program: PreparedRigidBlocks, seconds: float) -> dict[str, float]:
     }
 
 
-def solved(amplitude: float, duration: float) -> dict[str, float]:
+def solved(amplitude: float, duration: float, frequency: float = FREQUENCY) -> dict[str, float]:
     """Solve the wall, with an output at every step."""
-    scene = running_bond(COLUMNS, COURSES, amplitude, FREQUENCY)
+    scene = running_bond(COLUMNS, COURSES, amplitude, frequency)
     ask = Ask(scene, History(duration, 1e-3), (Displacement(1),), Knobs(1e-3))
     program = rigid.prepare(ask)
     program.warm()
