@@ -15,7 +15,7 @@ OWN = ("0.1", 0.1, "pass")  # a setting of the case, where the bound is 0.12 and
 def test_a_bound_is_cut_at_the_settings_of_the_case_alone(
     tiny: Tiny, dt: str, allowed: float | None, verdict: str
 ) -> None:
-    tiny.edit("cases/fall.py", "Tolerance(1e-3, ", "Tolerance(0.1, over=1.2, reason=")
+    tiny.edit("cases/fall.py", "Tolerance(1e-3, ", "Tolerance(0.12, reason=")
     tiny.edit("cases/fall.py", "dt=0.1, order=1)", "dt=0.1, order=2)")
     tiny.vv("run", "fall:up", "--codes", "fake/good", "--rung", f"dt={dt}", "--json", "out.json")
     (record,) = json.loads((tiny.root / "out.json").read_text())["records"]
