@@ -118,7 +118,7 @@ def _sinking(run: Run) -> float:
 def _ringing(p: Parameters, w: float) -> tuple[Quantity, ...]:
     path = functools.partial(exact.standing, **_law(p), g=p["g"], along=(2,))
     return (
-        _strain_along(2, path, p, _swing_bounds(1.0, w)),
+        _strain_along(2, path, p, _swing_bounds(1.0, 1.0, w)),
         Scalar("frequency", "w_e/w", "", "frequency over sqrt(3 E/rho)/L",
                lambda run: _frequency(run) / w, 1.0, 1.0, _frequency_bounds(w)),
         Scalar("frequency-continuum", "w_e/w_c", "", "the same over (pi/2) sqrt(E/rho)/L",
@@ -133,15 +133,14 @@ def _ringing(p: Parameters, w: float) -> tuple[Quantity, ...]:
 
 
 def _coupled(p: Parameters, w: float) -> tuple[Quantity, ...]:
-    path = functools.partial(exact.standing, **_law(p), g=p["g"])
+    def path(t: Vector) -> Vector:
+        return exact.standing(t, **_law(p), g=p["g"])
+
     shares, squares = exact.standing_modes(**_law(p), g=p["g"])
-    amplitude = np.abs(exact.standing(_period(p), **_law(p), g=p["g"])).max() / 2
-    rates = np.sqrt(squares) / w
-    damped, lowered = (
-        np.maximum(1.0, shares @ rates**power / amplitude) for power in (2, 3)
-    )  # over those of a bar
+    rates, amplitude = np.sqrt(squares) / w, np.abs(path(_period(p))).max() / 2
+    damped, lowered = (np.maximum(1.0, shares @ rates**n / amplitude) for n in (2, 3))
     return tuple(
-        _strain_along(axis, path, p, _swing_bounds(float(damped[axis]), w, float(lowered[axis])))
+        _strain_along(axis, path, p, _swing_bounds(float(damped[axis]), float(lowered[axis]), w))
         for axis in (2, 0, 1)
     )
 
@@ -153,7 +152,10 @@ def _spun(p: Parameters, w: float) -> tuple[Quantity, ...]:
     return tuple(
         _strain_along(
             axis, path, p,
-            Exact(_swing_bounds(float(quick), w).tolerances, not_judged={Method.LAGGING: NO_PULL}),
+            Exact(
+                _swing_bounds(float(quick), float(quick), w).tolerances,
+                not_judged={Method.LAGGING: NO_PULL},
+            ),
         )
         for axis, quick in enumerate(_quick(p, w))
     )  # fmt: skip
@@ -215,11 +217,10 @@ def _roots(run: Run) -> Cvector:
     return np.asarray(np.roots([1.0, -trace, -det]), complex)
 
 
-def _swing_bounds(quick: float, w: float, lowered: float | None = None) -> Exact:
-    """The bounds of an oscillation relative to a bar, whose first mode has the frequency w [1/s].
+def _swing_bounds(quick: float, lowered: float, w: float) -> Exact:
+    """quick: damping of all modes over that of the first mode of a bar, of frequency w [1/s].
 
-    quick: damping of all modes over that of the bar; lowered: errors of their phases over its, as
-    much as the damping if none is given.
+    lowered: the errors of their phases over that of the same mode.
     """
     step = Tolerance(
         max(5 / STIFF, FIRST * quick * STEPS[0]),
@@ -229,7 +230,7 @@ def _swing_bounds(quick: float, w: float, lowered: float | None = None) -> Exact
         dt=STEPS[0] / w, order=1, floor=5 / STIFF,
     )  # fmt: skip
     second = Tolerance(
-        max(5 / STIFF, 2.0 * (lowered or quick) * STEPS[0] ** 2),
+        max(5 / STIFF, 2.0 * lowered * STEPS[0] ** 2),
         "the generalised-alpha method lowers the frequency by (w dt)^2/8, a phase error of 1.2 "
         "(w dt)^2 radians over a period and a half, which grows with the cube of the frequency; "
         "the floor is the compliance of the springs at the edges",

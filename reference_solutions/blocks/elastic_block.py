@@ -44,9 +44,7 @@ def standing(
     along: tuple[int, ...] = (0, 1, 2),
 ) -> Array:  # fmt: skip
     """Strains (k, 3) at times t (k,) [s] after weight is applied at t = 0; 0 if not in `along`."""
-    require_finite("m/s2", g=g)
-    swung = _inertia(sides, rho) * [1.0, 1.0, 4.0]
-    force = np.array([0.0, 0.0, -rho * g * sides[2] / 2.0])
+    swung, force = _weighed(sides, rho, g)
     kept = list(along)
     strains = np.zeros((len(require_times(t)), 3))
     strains[:, kept] = _swings(t, swung[kept], law(young, poisson, along), force[kept])
@@ -56,24 +54,15 @@ def standing(
 def standing_modes(
     *, sides: Sides, rho: float, young: float, poisson: float, g: float
 ) -> tuple[Array, Array]:
-    """The mean (3, 3) of each strain of a box on a base in each mode, by size; squared frequencies.
-
-    The squared frequencies (3,) are in 1/s2.
-    """
-    require_finite("m/s2", g=g)
-    swung = _inertia(sides, rho) * [1.0, 1.0, 4.0]
-    force = np.array([0.0, 0.0, -rho * g * sides[2] / 2.0])
-    squares, shares = _modes(swung, law(young, poisson), force)
-    return np.abs(shares), squares
+    """Of a box under its weight, what `spun_modes` tells of one that spins."""
+    return _sizes(*_weighed(sides, rho, g), law(young, poisson))
 
 
 def spinning(
     t: ArrayLike, *, sides: Sides, rho: float, young: float, poisson: float, spin: float
 ) -> Array:
     """Strains (k, 3) along the axes of a box that spins about z by spin [1/s] from t = 0 on."""
-    require_finite("1/s", spin=spin)
-    inertia = _inertia(sides, rho)
-    force = spin**2 * inertia * [1.0, 1.0, 0.0]
+    inertia, force = _flung(sides, rho, spin)
     return _swings(t, inertia, law(young, poisson), force)
 
 
@@ -81,11 +70,7 @@ def spun_modes(
     *, sides: Sides, rho: float, young: float, poisson: float, spin: float
 ) -> tuple[Array, Array]:
     """The mean (3, 3) of each strain of a spun box in each mode, by size; squared frequencies."""
-    require_finite("1/s", spin=spin)
-    inertia = _inertia(sides, rho)
-    force = spin**2 * inertia * [1.0, 1.0, 0.0]
-    squares, shares = _modes(inertia, law(young, poisson), force)
-    return np.abs(shares), squares
+    return _sizes(*_flung(sides, rho, spin), law(young, poisson))
 
 
 def seen_from_rest(strains: Array, angle: Array) -> Array:
@@ -105,6 +90,25 @@ def _inertia(sides: Sides, rho: float) -> Array:
     """The inertia per volume of each strain of a free box, rho s^2/12 (3,) [kg/m]."""
     require_positive("in SI units", s_x=sides[0], s_y=sides[1], s_z=sides[2], rho=rho)
     return rho * np.square(sides) / 12.0
+
+
+def _weighed(sides: Sides, rho: float, g: float) -> tuple[Array, Array]:
+    """Inertia and force per volume (3,) of each strain of a box on a base under its weight."""
+    require_finite("m/s2", g=g)
+    return _inertia(sides, rho) * [1.0, 1.0, 4.0], np.array([0.0, 0.0, -rho * g * sides[2] / 2.0])
+
+
+def _flung(sides: Sides, rho: float, spin: float) -> tuple[Array, Array]:
+    """Inertia and force per volume (3,) of each strain of a free box that spins about z."""
+    require_finite("1/s", spin=spin)
+    inertia = _inertia(sides, rho)
+    return inertia, spin**2 * inertia * [1.0, 1.0, 0.0]
+
+
+def _sizes(inertia: Array, force: Array, stiffness: Array) -> tuple[Array, Array]:
+    """The mean (3, 3) of each strain in each mode, by size; squared frequencies (3,) [1/s2]."""
+    squares, shares = _modes(inertia, stiffness, force)
+    return np.abs(shares), squares
 
 
 def _swings(t: ArrayLike, inertia: Array, stiffness: Array, force: Array) -> Array:

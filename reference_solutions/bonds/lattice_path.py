@@ -37,12 +37,8 @@ def path(block: Lattice, kn: float, ks: float, strains: Array, parts: int) -> Ar
     free = np.ones_like(block.position, bool)
     free[:, 2] = ~ends
     nu = poissons_ratio(kn, ks)
-    u, shear, found, before = (
-        np.zeros_like(block.position),
-        np.zeros((len(block.bonds), 3)),
-        [],
-        0.0,
-    )
+    u, shear = np.zeros_like(block.position), np.zeros((len(block.bonds), 3))
+    found, before = [], 0.0
     for strain in strains:
         for _ in range(parts):
             more = (strain - before) / parts

@@ -141,5 +141,5 @@ def _whole(by: Driven, axis: int, scale: float) -> Tolerance:
 
 
 def _bound(value: float, reason: str, **scaling: Any) -> Tolerance:
-    """A tolerance of at least rounding and at most the largest one."""
+    """A tolerance of at least rounding."""
     return Tolerance(max(float(value), LEAST), reason, **scaling)
