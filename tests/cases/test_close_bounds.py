@@ -20,6 +20,7 @@ SEEN = [  # case, quantity, scheme, setting, and by which part all that is obser
     ("responding-block:1d-mu-0.1", "d2x", "dda/augmented-lagrangian", FINE, 2e-6),
     ("painleve:mu-0.8", "x", "dda/augmented-lagrangian", Knobs(1e-3, 1e8), 2e-5),
     ("painleve:mu-0.8 mu=0.6", "x", "dda/augmented-lagrangian", Knobs(1e-3, 1e8), 2e-6),
+    ("painleve:mu-2", "x", "rigid/default", Knobs(1e-3, 1e8), 3e-6),
     ("slow-slide:held", "s", "rigid/default", None, 3e-11),
     ("wedge:xi-0.1", "s", "rigid/default", Knobs(1e-2, 1e9), 5e-11),
     ("laden-block:level", "slip", "dda/default", Knobs(1e-3, 1e8), 1e-4),

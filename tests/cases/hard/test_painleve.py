@@ -134,3 +134,10 @@ def test_any_wrong_sign_in_the_closed_forms_is_caught(sign: int) -> None:
 @pytest.mark.parametrize("sign", signs(stepped))
 def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
     assert caught(lambda: same(turned(stepped, sign)))
+
+
+def test_a_rod_that_lies_down_is_refused() -> None:
+    usual = CASE.defaults("mu-0.8")
+    CASE.declare("mu-0.8", {**usual, "half": 0.01})
+    with pytest.raises(ValueError, match="or the rod lies down"):
+        CASE.declare("mu-0.8", {**usual, "half": 0.002})
