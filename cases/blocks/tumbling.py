@@ -47,7 +47,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
     scene = Scene((Wall(np.zeros(3), Z), block), Contact(np.inf))
     goal = History(p["duration"], p["duration"] / OUTPUTS)
     coarsest = COARSEST / p["w"]
-    rungs = tuple(Knobs(coarsest / 2**i, KN) for i in range(4))
+    kn = (
+        KN * max(1.0, p["w"]) ** 2
+    )  # as deep as with w = 1: a corner sinks by its speed times sqrt(m/kn)
+    rungs = tuple(Knobs(coarsest / 2**i, kn) for i in range(4))
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     steps = tuple(rung.dt for rung in rungs)
     return Trial(Ladder(scene, goal, (BLOCK,), levels), _measured(p, body, goal, steps))
@@ -137,7 +140,7 @@ def _crossing(run: Run, about: float) -> float:
     return float((d - b) / (a - c))
 
 
-COARSEST, KN = 5e-3, 1e8  # rad, N/m
+COARSEST, KN = 5e-3, 1e8  # rad; N/m up to w = 1
 BEFORE, AFTER = 0.95, 1.05  # times the time of landing: outputs that are well away from it
 SPRUNG = "springs return a part of the energy of the impact that depends on their damping"
 UNTURNED = "a code of this class leaves out the gyroscopic torque, and says so"

@@ -85,7 +85,7 @@ def _sphere_quantities(
     rises = (2e-4 if own else max(2e-4, ends)) + arm
     up = _judge(step, rises, rises + late, arm)
     rubs = min(2 * p["mu"], 1.0)  # twice mu where friction also rotates the sphere
-    jump, order = _released(p, mass_of(p, p["r1"]), step * _left(p), ends * _way(motion))
+    jump, order = _released(p, mass_of(p, p["r1"]), step * _left_on_floor(p), ends * _way(motion))
     rubbed = max(2e-4, rubs * ends) + jump / _way(motion) + arm
     along = _judge(step, rubbed, rubbed + rubs * late, arm, order=order)
     ways = (
@@ -108,17 +108,22 @@ def _ends(motion: Motion, step: float, p: Parameters) -> float:
     the speed by up to (k dt)^2/8 of it, for the time that is left.
     """
     speed = _closing(p) * p["kn"] / mass_of(p, p["r1"]) * step**2 / 8
-    return speed * _left(p) / _way(motion)
+    return speed * _left_on_floor(p) / _way(motion)
 
 
-def _left(p: Parameters) -> float:
+def _left_on_floor(p: Parameters) -> float:
     """The time that is left after a contact with the floor closes, summed over all [s]."""
-    closing = _closing(p)
-    first, lasts = (
-        2 * p["gap"] / (closing + p["v_n"]),
-        np.pi * np.sqrt(mass_of(p, p["r1"]) / p["kn"]),
-    )
-    apart = max(lasts, 2 * closing / p["g"] if p["g"] > 0 else GOAL.duration)
+    return _left(p, p["g"], _closing(p), math.sqrt(p["kn"] / mass_of(p, p["r1"])))
+
+
+def _left(p: Parameters, pull: float, closing: float, swing: float) -> float:
+    """The time that is left after a contact closes, summed over all [s].
+
+    pull: what presses the bodies together [m/s2]; closing: the speed at which they meet [m/s];
+    swing: the rate of the contact [1/s].
+    """
+    first = 2 * p["gap"] / (closing + p["v_n"])
+    apart = max(np.pi / swing, 2 * closing / pull if pull > 0 else GOAL.duration)
     return float((GOAL.duration - np.arange(first, GOAL.duration, apart)).sum())
 
 
@@ -165,13 +170,17 @@ def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple
 
 
 def _pair_errors(p: Parameters, n: int, step: float) -> tuple[float, float]:
-    """Errors of the displacement [m] by ends of contacts within steps [s], and by a late load."""
+    """Errors of the displacement [m] by ends of contacts within steps [s], and by a late load.
+
+    Where the load lets the spheres meet again and again, the changes of speed by all contacts add.
+    """
     light = 1 / mass_of(p, p["r1"]), 1 / mass_of(p, p["r2"])
     pull, share = p["load"] * sum(light), light[n - 1] / sum(light)
     closing = np.sqrt(p["v_n"] ** 2 + 2 * pull * p["gap"])
-    swing = p["kn"] * sum(light) * step**2
-    flown = float(share * GOAL.duration)
-    return float(closing * swing / 4) * flown, pull * step / 2 * flown
+    square = p["kn"] * sum(light)
+    left = max(2 * GOAL.duration, _left(p, pull, closing, math.sqrt(square)))
+    second = float(closing * square * step**2 / 8) * share * left
+    return second, pull * step / 2 * share * GOAL.duration
 
 
 def _released(p: Parameters, mass: float, late: float, second: float) -> tuple[float, int]:
@@ -220,7 +229,8 @@ ON_FLOOR = (
 )
 OF_PAIR = (
     "each end of a contact falls within a step, and costs up to (k dt)^2/8 of the closing speed, "
-    "k^2 = kn (1/m1 + 1/m2); the errors of both ends of one contact may add, for the whole time. "
+    "k^2 = kn (1/m1 + 1/m2); the errors of both ends of one contact may add, for the whole time, "
+    "and those of all contacts, for the time that is left after each. "
     "Across the line of centres it is the part by friction or, if that is more, pi/24 (kt dt)^2 mu "
     "of the closing speed by the phase of shear springs, kt^2 = 3.5 ks (1/m1 + 1/m2)",
     "the load acts half a step late at the start: the closing speed is too small by a dt/2 for the "

@@ -103,7 +103,26 @@ def _unlocked(scene: Scene) -> Scene:
     return dataclasses.replace(scene, bodies=(*scene.walls, let_go))
 
 
+def _require_shallow(test: str, change: str, p: Parameters) -> None:
+    """Raise ValueError where a contact that can open overlaps by a tenth of the radius or more.
+
+    Where its normal is locked the overlap is that of the start, and only its force matters.
+    """
+    if test in ("T3", "T4"):
+        if change != "free":
+            return
+        depth, name = closed.overlap(**{name: p[name] for name in OVERLAP}), "mu"
+    else:
+        depth, name = abs(p["v_a"]) / _rates(test, p)[0], "v_a"
+    if not depth < p["r"] / 10:
+        raise ValueError(
+            f"{name} = {p[name]!r}; the overlap of {depth:.4g} m must be below a tenth of the "
+            f"radius, {p['r'] / 10:g} m"
+        )
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
+    _require_shallow(variant[:2], variant.partition("-")[2], p)
     scene, body, along = _scene(variant, p)
     solve, names = REFERENCES[variant[:2]]
     shown = Displacement(body)

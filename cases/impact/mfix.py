@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cases.impact.parts import _dem05, _printed
+from cases.impact.parts import _dem05, _mfix_errors, _printed
 from cases.impact.parts._materials import require_shallow
 from reference_solutions.impact import pressed_pair, slip_to_roll
 from reference_solutions.impact.dropped import Drop, path
@@ -44,7 +44,7 @@ class Setting(NamedTuple):
 
     series: each by name, symbol, unit, meaning, what is observed and the exact answer; unit: 1/w
     [s] of the fastest oscillation; steps: of the ladder, times w; square: tolerance of each series
-    over (w dt)^2; late: of all over w dt, where viscous forces are half a step late.
+    over (w dt)^2; late: what forces half a step late add to all, over w dt.
     """
 
     scene: Scene
@@ -79,7 +79,13 @@ def _dropped(bounces: int, p: Parameters) -> Setting:
     drop = Drop(m, p["kn"], p["z"], p["g"])
     sphere = _spheres((p["h"],), p, np.array([m]), 0.0)
     contact = Contact(p["kn"], eta_n=drop.viscous)
-    last = drop.pieces(fall, bounces)[-1]
+    pieces = drop.pieces(fall, bounces)
+    sunk, last = _mfix_errors.deepest(drop, pieces), pieces[-1]
+    if not sunk < p["R"]:
+        raise ValueError(
+            f"kn = {p['kn']!r} N/m; the sphere sinks by {sunk:.4g} m; it must be less than the "
+            f"radius, {p['R']:g} m, or its centre goes through the wall"
+        )
     height = (
         "height", "h", "m", "upward displacement of the sphere",
         ComponentAlong(Displacement(0), Z),
@@ -88,22 +94,9 @@ def _dropped(bounces: int, p: Parameters) -> Setting:
     return Setting(
         Scene((sphere, Wall(FLOOR_LEVEL, Z)), contact, gravity=-p["g"] * Z), (height,),
         last.since + last.speed / p["g"], math.sqrt(m / p["kn"]), (0.08, 0.04, 0.02, 0.005, 0.001),
-        (_delay(bounces, p["g"] / math.sqrt(2 * p["g"] * fall * p["kn"] / m)),),
-        0.1 * (1 + bounces),
+        (_mfix_errors.delay(bounces, p["g"] / math.sqrt(2 * p["g"] * fall * p["kn"] / m)),),
+        _mfix_errors.half_steps(drop, pieces),
     )  # fmt: skip
-
-
-def _delay(bounces: int, slow: float) -> float:
-    """The error of the height of a leapfrog over the fall and (w dt)^2; slow: g/(w v).
-
-    As a contact begins or ends at a fraction q of a step, the square of the speed v changes by
-    q (1 - q) (w v dt)^2: each bounce changes the speed by up to (w dt)^2/8 of it, and the duration
-    of each flight after it, 4 falls over v, as much. The heights of the last flight err by up to
-    the sum of all flights before it, or by twice the sum of all changes of speed. A contact of the
-    duration (pi + 2 atan(g/(w v)))/w is ahead by (w dt)^2/24 of that.
-    """
-    flights, speeds = bounces * (bounces - 1) / 4, bounces / 4
-    return max(flights, speeds) + bounces * slow * (math.pi + 2 * math.atan(slow)) / 12
 
 
 def _pressed_pair(p: Parameters) -> Setting:
@@ -122,9 +115,10 @@ def _pressed_pair(p: Parameters) -> Setting:
     y = np.array(start) + np.stack([moved(np.linspace(0.0, PRESSED, FINE), i) for i in (0, 1)], -1)
     gaps = y[:, 0] - p["R"], y[:, 1] - y[:, 0] - 2.0 * p["R"], p["H"] - p["R"] - y[:, 1]
     require_shallow(-float(np.min(gaps)), p["R"])
-    ahead, steps = _ahead(PRESSED / unit), (0.08, 0.04, 0.02, 0.005, 0.001)
-    late = max(0.4, LAST * unit / PRESSED)
-    worst = max(ahead * steps[0], late + (ahead - 2.0) * steps[0]) * steps[0]
+    ahead, steps = _mfix_errors.ahead(PRESSED / unit), (0.08, 0.04, 0.02, 0.005, 0.001)
+    # all of the motion may be dt/2 late
+    late = LAST * unit / 2 * max(_quickest(y[:, i] - start[i]) for i in (0, 1))
+    worst = (late + ahead * steps[0]) * steps[0]
     parts = 1 << max(0, math.ceil(math.log2(worst / LARGEST_TOLERANCE)))
     series = tuple(
         (
@@ -137,17 +131,14 @@ def _pressed_pair(p: Parameters) -> Setting:
     return Setting(
         Scene((pair, *walls), Contact(p["kn"]), gravity=-p["g"] * Z), series,
         PRESSED, unit, tuple(step / parts for step in steps), (ahead,) * 2,
-        late + (ahead - 2.0) * steps[0] / parts,
+        late,
     )  # fmt: skip
 
 
-def _ahead(angle: float) -> float:
-    """The error of a leapfrog over (w dt)^2 after an angle w T [rad].
-
-    Phases are ahead by (w dt)^2/24 of the angle, and amplitudes are (w dt)^2/8 too large; no less
-    than 2, twice that of an angle of 24 - 3.
-    """
-    return max(2.0, 0.125 + angle / 24.0)
+def _quickest(moved: Vector) -> float:
+    """The largest speed over the largest displacement [1/s] of one of the pressed pair."""
+    speed = np.gradient(moved, PRESSED / (FINE - 1))
+    return float(np.abs(speed).max() / np.abs(moved).max())
 
 
 def _slipping(p: Parameters) -> Setting:
@@ -171,6 +162,7 @@ def _sinking(p: Parameters) -> Setting:
     """A sphere that sinks in gas at rest, which bears a part of its weight."""
     m, fluid = _mass(p), Fluid(p["rho_f"], p["viscosity"])
     sinking = Sinking(2.0 * p["R"], p["rho"], p["rho_f"], p["viscosity"], p["g"], p["v"])
+    unit = min(1.0 / sinking.quickest, SINKS)
     borne = m * p["rho_f"] / p["rho"] * p["g"]
     sphere = dataclasses.replace(
         _spheres((0.0,), p, np.array([m]), 0.0),
@@ -189,21 +181,8 @@ def _sinking(p: Parameters) -> Setting:
     )  # fmt: skip
     return Setting(
         Scene((sphere,), Contact(p["kn"]), gravity=-p["g"] * Z, fluid=fluid), series,
-        SINKS, 1.0 / sinking.quickest, (0.1, 0.05, 0.025, 0.005, 0.001), _lags(sinking), 0.2,
+        SINKS, unit, (0.1, 0.05, 0.025, 0.005, 0.001), _mfix_errors.lags(sinking, SINKS, unit), 0.2,
     )  # fmt: skip
-
-
-def _lags(sinking: Sinking) -> tuple[float, float]:
-    """Errors of depth and speed of a leapfrog over their maxima and (q dt)^2; q: rate of approach.
-
-    The speed approaches its terminal value, from which it differs by `lead`, faster by (q dt)^2/12:
-    an error of up to lead/(12 e), and of lead/(12 q) in depth. Its first half step adds lead/(8 q),
-    and the sum of velocities in the middle of steps lead/(24 q).
-    """
-    lead, fastest = abs(sinking.v0 - sinking.last), max(sinking.v0, sinking.last)
-    depth = float(motion(np.array([SINKS]), sinking)[0][0])
-    errors = lead / (4 * sinking.quickest * depth), lead / (12 * math.e * fastest)
-    return max(HIGHER * errors[0], LEAST), max(HIGHER * errors[1], LEAST)
 
 
 KINDS: dict[str, Callable[[Parameters], Setting]] = {
@@ -217,7 +196,6 @@ OUTPUTS = 400
 PRESSED, SINKS = 1e-3, 0.35  # s
 FINE = 1001  # times at which overlaps of the pressed pair are computed
 LAST = 1.15  # the pressed pair's duration over the time of its last output, at most
-HIGHER, LEAST = 1.1, 1e-4  # errors of higher order; a sphere may start at its terminal speed
 
 
 PRINTED: dict[str, Callable[[Parameters], tuple[Scalar, ...]]] = {
@@ -266,11 +244,12 @@ def _judge(setting: Setting, square: float) -> Exact:
             dt=step * unit, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
-            setting.late * step,
-            "forces at the start, and viscous forces, act half a step late: an error of that "
-            "fraction of the displacement, and of z, which lowers each bounce by up to 2 pi z "
-            "times as much",
-            dt=step * unit, order=1, slack="no force is late where all balance at the start",
+            square * step**2,
+            "the errors of second order; besides, forces at the start, and viscous forces, act "
+            "half a step late, which delays all by dt/2; a viscous force begins within a step, and "
+            "so changes the speed of each bounce by up to z w dt",
+            dt=step * unit, order=2, late=setting.late / unit,
+            slack="no force is late where all balance at the start",
         ),
     })  # fmt: skip
 

@@ -40,11 +40,15 @@ class Sinking(NamedTuple):
         slowed = speed * (1.0 + FACTOR * reynolds**POWER) / self.time
         return np.asarray(self.g * (1.0 - self.rho_f / self.rho) - slowed)
 
+    def slope(self, v: ArrayLike) -> Array:
+        """The slope dv'/dv [1/s] at a speed."""
+        reynolds = self.rho_f * self.d * np.asarray(v, dtype=np.float64) / self.mu
+        return np.asarray(-(1.0 + (1.0 + POWER) * FACTOR * reynolds**POWER) / self.time)
+
     @property
     def quickest(self) -> float:
         """The largest rate -dv'/dv [1/s] at which two neighbouring speeds converge."""
-        reynolds = self.rho_f * self.d * max(self.v0, self.last) / self.mu
-        return float((1.0 + (1.0 + POWER) * FACTOR * reynolds**POWER) / self.time)
+        return float(-self.slope(max(self.v0, self.last)))
 
     @property
     def last(self) -> float:
