@@ -10,7 +10,8 @@ import numpy as np
 from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import RUNGS, levels
 from cases.blocks.parts import _responding_bounds, _responding_lift
-from cases.blocks.parts._responding_bounds import DENSITY, SIDE, Path, directions
+from cases.blocks.parts._responding_bounds import DENSITY, SIDE, directions
+from cases.blocks.parts._responding_slow import Path
 from reference_solutions.blocks import responding_block
 from vv.ask import Displacement, History, Knobs
 from vv.case import (

@@ -34,7 +34,8 @@ LEAST, STEEP = 30.0, 0.75  # deg, rad: other edges are far, and the lower faces 
 APART = 1e-10  # gap at t = 0 [m]: too small to be seen, and well above rounding errors
 FACES = ((0, 1, 2), (5, 4, 3), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0))
 PRISM = Displacement(1)
-STEP, SPRING = 1e-3, 1e8  # s, N/m: the settings at which bounds are stated
+# s, N/m and kg/m3: where bounds are stated; springs are as stiff for the mass at all densities
+STEP, SPRING, DENSE = 1e-3, 1e8, 2500.0
 
 
 class _Fall(NamedTuple):
@@ -108,16 +109,23 @@ def _held(p: Parameters, height: float, lam: float) -> Held:
     return Held(t, p["mu"] * pressed, along / (p["mu"] * pressed))
 
 
-def _bounds(lam: float, mass: float, weight: float, fall: _Fall) -> dict[Method, Tolerance]:
-    """lam: the rate at which it topples [1/s]; mass [kg]; weight [N]."""
+def _spring(p: Parameters) -> float:
+    """The stiffness [N/m] of springs on which the prism oscillates as one of the usual density."""
+    return SPRING * (p["rho"] / DENSE)
+
+
+def _bounds(
+    lam: float, mass: float, weight: float, kn: float, fall: _Fall
+) -> dict[Method, Tolerance]:
+    """lam: the rate at which it topples [1/s]; mass [kg]; weight [N]; kn [N/m]."""
     turns = Tolerance(
         (lam * STEP) ** 2,
         "an error of (lam dt)^2, lam the rate at which it topples",
         dt=STEP,
         order=2,
     )
-    sunk = 2 * weight / (SPRING * fall.way) * (1 + fall.share * math.sin(fall.end))
-    late, w = lam / 4 * _grown(lam * fall.duration), math.sqrt(SPRING / mass)
+    sunk = 2 * weight / (kn * fall.way) * (1 + fall.share * math.sin(fall.end))
+    late, w = lam / 4 * _grown(lam * fall.duration), math.sqrt(kn / mass)
     sinks = Tolerance(
         sunk,
         "the prism sinks into its contact spring, which starts slack, and oscillates on it: by "
@@ -127,7 +135,7 @@ def _bounds(lam: float, mass: float, weight: float, fall: _Fall) -> dict[Method,
         "lam^2 dt/4 off, and x = lam t later its centre is off by lam dt/4 times (x cosh x - "
         "sinh x)/(cosh x - 1) of what it moves. While it bounces, friction may not hold the edges, "
         "which slip as a block on a shaken base does, until implicit steps have damped that",
-        kn=SPRING,
+        kn=kn,
         softness=1,
         late=late,
         least=lambda dt: sunk + late * dt + slipped(fall.held, w, dt) / fall.way,
@@ -167,7 +175,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     way = float(np.linalg.norm(path(goal.times(None)), axis=1).max())
     end = float(toppling.angle(p["duration"], theta0=p["theta"], lam=lam))
     mass, fall = scene.blocks[1].mass, _Fall(p["duration"], end, way, share, held)
-    bounds = _bounds(lam, mass, mass * p["g"], fall)
+    bounds = _bounds(lam, mass, mass * p["g"], _spring(p), fall)
     lagging = {} if p == CASE.defaults(variant) else {Method.LAGGING: bounds.pop(Method.LAGGING)}
     judge = Exact(bounds, not_judged=dict.fromkeys(lagging, SLIPS))
     parts = tuple(
@@ -180,11 +188,16 @@ def _declare(variant: str, p: Parameters) -> Trial:
             )
         )
     )
-    return Trial(Ladder(scene, goal, (PRISM,), LEVELS), (*parts, motion.distance(judge)))
+    return Trial(
+        Ladder(scene, goal, (PRISM,), _levels(_spring(p))), (*parts, motion.distance(judge))
+    )
 
 
-RUNGS = tuple(Knobs(dt, 1e8) for dt in (1e-3, 5e-4, 2.5e-4))
-LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+def _levels(kn: float) -> dict[Level, tuple[Knobs, ...]]:
+    rungs = tuple(Knobs(dt, kn) for dt in (STEP, STEP / 2, STEP / 4))
+    return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
+
+
 CLASSES = (
     Method.SECOND_ORDER, Method.STRAIGHT, Method.FIRST_ORDER, Method.PENALTY, Method.LAGGING,
 )  # fmt: skip

@@ -17,6 +17,7 @@ SEEN = [  # case, quantity, scheme, setting, and by which part all that is obser
     ("shaken-wedge:level f=0.4 duration=2", "s", "rigid/default", FINE, 1e-7),
     ("responding-block:3d", "d2z", "rigid/default", FINE, 3e-10),
     ("responding-block:3d fz=0.5", "d2z", "dda/augmented-lagrangian", FINE, 3e-10),
+    ("responding-block:3d D=0.01", "d2y", "rigid/default", FINE, 3e-5),
     ("responding-block:1d-mu-0.1", "d2x", "dda/augmented-lagrangian", FINE, 2e-6),
     ("painleve:mu-0.8", "x", "dda/augmented-lagrangian", Knobs(1e-3, 1e8), 2e-5),
     ("painleve:mu-0.8 mu=0.6", "x", "dda/augmented-lagrangian", Knobs(1e-3, 1e8), 2e-6),

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
+from cases.blocks.parts._responding_slow import Path, kept, late_springs, sharp_turns
 from vv.ask import Method
 from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
-from vv.scene import Vector
-
-Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: neither enters the answer
 LOST = {
@@ -62,12 +58,17 @@ def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance
     rate, stops = p["mu"] * p["g"] * p["duration"] / way, _stops(p)
     # f in Hz: delays add up faster at higher frequencies
     quick = 1 + p["f"] / 3 if one_way else 1.0
+    slips_on = _always_slips(p) or not one_way
+    springs, whole = (late_springs(p), kept(p) / p["duration"]) if slips_on else (0.0, 0.0)
     return {
         Method.EXACT: Tolerance(1e-13, LOCATED) if one_way else _rounding(p, path),
-        Method.SECOND_ORDER: _second(p) if one_way else _rotating(p, way),
-        Method.PENALTY: _late_reversals(rate, 0.07 * quick, max(0.8, stops)),
+        Method.SECOND_ORDER: _second(p) if one_way else _rotating(p, path, way),
+        Method.PENALTY: _late_reversals(rate, max(0.07 * quick, springs), max(0.8, whole, stops)),
         Method.LAGGING: _late_reversals(
-            rate, 0.1 * quick, max(2.0, 2 * stops), "; lagging friction adds to it"
+            rate,
+            max(0.1 * quick, springs),
+            max(2.0, 2 * stops),
+            "; lagging friction adds to it",
         ),
     }
 
@@ -143,10 +144,15 @@ def _found_late(p: Parameters) -> float:
     return float(min(1.0, 2 * part / (steep + part)))
 
 
+def _always_slips(p: Parameters) -> bool:
+    """Whether a block that moves along x never sticks to the base."""
+    return bool(p["mu"] * p["g"] < STICKS * p["D"] * (2 * np.pi * p["f"]) ** 2)
+
+
 def _second(p: Parameters) -> Tolerance:
     """For motion along x with located reversals; the bound depends on whether the block sticks."""
     omega = 2 * np.pi * p["f"]
-    if p["mu"] * p["g"] < STICKS * p["D"] * omega**2:
+    if _always_slips(p):
         return Tolerance(
             2e-9,
             "the block slips all the time, and its velocity is linear between reversals, which are "
@@ -162,7 +168,7 @@ def _second(p: Parameters) -> Tolerance:
     )
 
 
-def _rotating(p: Parameters, way: float) -> Tolerance:
+def _rotating(p: Parameters, path: Path, way: float) -> Tolerance:
     """For slip whose direction rotates."""
     omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
     dragged = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
@@ -170,10 +176,13 @@ def _rotating(p: Parameters, way: float) -> Tolerance:
         max(0.6 * (omega * STEP) ** 2 * max(dragged / way, 1.0), 1e-7),
         "friction acts along the mean direction of slip over a step. Where the slip is slow its "
         "direction turns by more than w dt of the fastest sine, and the error is the square of "
-        "that angle",
+        "that angle. Where slip passes within a time b of rest, friction is lost for pi dt^2/(48 "
+        "b), or for 1.2 sqrt(b dt) if that is less, and the speed is wrong by half of this until "
+        "friction has removed that of the base",
         dt=STEP,
         order=2,
         floor=1e-7,
+        least=sharp_turns(p, path, way),
     )
 
 
@@ -182,8 +191,9 @@ def _late_reversals(rate: float, by_springs: float, by_steps: float, more: str =
     value = rate * by_springs * np.sqrt(MASS / SPRING)
     return Tolerance(
         max(float(value), 1e-9),
-        "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, and reversals fall "
-        "on whole steps; over the duration T the delays add up to mu g T "
+        "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, or by 4/3 sqrt(mu "
+        "g/a)/w where the block slips on while the base accelerates by a; and reversals fall on "
+        "whole steps; over the duration T the delays add up to mu g T "
         f"({by_springs:g}/w + {by_steps:g} dt){more}",
         kn=SPRING,
         softness=0.5,

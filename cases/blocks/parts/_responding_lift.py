@@ -13,10 +13,10 @@ from cases.blocks.parts._responding_bounds import (
     MASS,
     SPRING,
     STEP,
-    Path,
     directions,
     in_plane,
 )
+from cases.blocks.parts._responding_slow import Path
 from vv.ask import Knobs, Method
 from vv.case import Exact, Parameters, Tolerance
 
