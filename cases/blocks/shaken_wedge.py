@@ -89,6 +89,7 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
     """The bounds of each class; springs cause an error of speed, so one that grows with time."""
     way = float(np.abs(path(np.linspace(0.0, p["duration"], OUTPUTS))).max())
     sprung, stepped = _missing_speed(p, mass) * p["duration"] / way, _integrated(p, way)
+    late = _whole_steps(p, way, stepped)
     return Exact(
         {
             Method.EXACT: Tolerance(1e-12, "rounding errors of a few located events"),
@@ -96,7 +97,9 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
             Method.FIRST_ORDER: Tolerance(
                 1e-5, "slip begins and ends on whole steps, an error of the speed of at most a dt",
                 dt=1e-3, order=1, slack="a slip may end anywhere within a step",
+                least=lambda dt: late.uncut(Knobs(dt)),
             ),
+            Method.STRAIGHT: late,
             Method.PENALTY: Tolerance(
                 max(sprung, LOCATED),
                 "when slip begins, the shear springs release the force that they bore across the "
@@ -109,6 +112,21 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
             ),
         },
         not_judged={Method.LAGGING: SETTLES},
+    )  # fmt: skip
+
+
+def _whole_steps(p: Parameters, way: float, stepped: Tolerance) -> Tolerance:
+    """For slip that begins and ends on whole steps; way: the largest displacement [m]."""
+    w, cycles = 2 * math.pi * p["f"], p["f"] * p["duration"]
+    late = p["A"] * (1 + _mu(p) * pressing(p["xi"])) * (w * p["duration"] + cycles) / 2 * STEP**2
+    return Tolerance(
+        late / way + stepped.value,
+        "in each period slip begins up to a step late, as the force crosses friction at a rate A w "
+        "(1 + K mu): an error of the speed of half of that times dt^2, for up to a period; and it "
+        "ends up to a step late, an error of A (1 + K mu) dt^2/2. Between, the sine is integrated "
+        "to second order",
+        dt=STEP, order=2, floor=LOCATED,
+        slack="one step may begin where slip does",
     )  # fmt: skip
 
 

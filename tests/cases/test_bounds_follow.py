@@ -29,6 +29,7 @@ RIGHT = {
     "responding-block:3d D=0.8": "dem/published",
     "responding-block:1d mu=0.06": "dda/generalised-alpha",
     "responding-block:1d-mu-1 Dy=8": "dem/published",
+    "shaken-wedge:along f=8": "dda/augmented-lagrangian",
     "painleve:mu-0.8 m=10": "dda/published",
     "painleve:mu-0.8 slope=0.2": "dda/lagged",
     "painleve:mu-0.8 half=0.1": "rigid/default",
