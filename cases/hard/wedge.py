@@ -103,10 +103,10 @@ def _sphere_trial(p: Parameters) -> Trial:
 def _declare(variant: str, p: Parameters) -> Trial:
     if not p["xi"] < math.pi / 2:
         raise ValueError(f"xi = {p['xi']!r} rad; it must be below pi/2, or the wedge has no foot")
-    if not 0 < p["dip"] < 90:
+    if not 0 <= p["dip"] < 90:
         raise ValueError(
-            f"dip = {p['dip']!r} degrees; the groove must fall, and carry what slides in it: "
-            "between 0 and 90"
+            f"dip = {p['dip']!r} degrees; it must be 0 or more and below 90, or the groove carries "
+            "nothing down along its axis"
         )
     if variant == "sphere":
         return _sphere_trial(p)
