@@ -37,6 +37,7 @@ FAST = tuple(Velocity(i) for i in range(COUNT))
 GOAL = History(2.4, 0.15)
 FADES, SINKS = 0.05, 0.49  # m/eta [s] and m g/eta [m/s] up to and from which that is long enough
 SOFT = 200  # radius over the deepest overlap of a pack that is still one of hard spheres
+STEP, OWN = 5e-5, 1e-7  # s, and the m/kn [s2] above which it is as long
 LONGEST = 100.0  # times GOAL: some ten seconds of calculation
 SEEDS = (1, 2, 3)
 FINE, COARSE = 1e-4, 0.2  # units of rounding: parts of the weight and the radius, and contacts
@@ -156,7 +157,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
     scene = Scene((spheres, *_walls()), Contact(p["kn"]), p["eta"], down)
     longer = _longer(p)
     goal = History(longer * GOAL.duration, longer * GOAL.interval)
-    ladder = Ladder(scene, goal, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
+    # on stiffer springs, as long a part of a contact
+    step = STEP * min(1.0, np.sqrt(p["m"] / p["kn"] / OWN))
+    ladder = Ladder(scene, goal, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=float(step)),)))
     weight = packing.weight(spheres.mass, p["g"])
     return Trial(ladder, (*_forces(p, scene, weight), *_motions(p, scene, weight)))
 

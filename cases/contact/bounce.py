@@ -87,7 +87,10 @@ def _sphere_quantities(
     rubs = min(2 * p["mu"], 1.0)  # twice mu where friction also rotates the sphere
     jump, order = _released(p, mass_of(p, p["r1"]), step * _left_on_floor(p), ends * _way(motion))
     rubbed = max(2e-4, rubs * ends) + jump / _way(motion) + arm
-    along = _judge(step, rubbed, rubbed + rubs * late, arm, order=order)
+    delayed = max(rubs * late, _rubbing(p) * step / 2 / _way(motion))
+    along = _judge(step, rubbed, rubbed + delayed, arm, order=order)
+    both = math.hypot(rises, rubbed), math.hypot(rises + late, rubbed + delayed)
+    apart = along if own else _judge(step, *both, arm, order=order)
     ways = (
         ("x", "along the throw", along),
         ("y", "horizontally, across the throw", NOWHERE),
@@ -97,7 +100,7 @@ def _sphere_quantities(
         motion.component(i, axis, f"displacement of the sphere {how}", by)
         for i, (axis, how, by) in enumerate(ways)
     ]
-    return (*parts, motion.distance(along))
+    return (*parts, motion.distance(apart))
 
 
 def _ends(motion: Motion, step: float, p: Parameters) -> float:
@@ -138,6 +141,22 @@ def _late(motion: Motion, step: float, p: Parameters) -> float:
     fastest = min(math.hypot(closing, pressed), p["v_n"] + p["g"] * GOAL.duration)
     faster = p["g"] * step / 2 * p["v_n"] / closing
     return (fastest * step / 2 + 2 * faster * GOAL.duration) / _way(motion)
+
+
+def _rubbing(p: Parameters) -> float:
+    """The largest change [m/s] of the speed along the floor.
+
+    Friction is at most mu times a normal force, whose impulse over the mass is g T and, as the
+    sphere comes and goes, twice the speed at which it meets the floor. It does not do more than
+    turn round the slip, of which 2/7 is the motion of the centre.
+    """
+    pushed = p["g"] * GOAL.duration + 2 * _closing(p)
+    return min(p["mu"] * pushed, 4 / 7 * _slip(p))
+
+
+def _slip(p: Parameters) -> float:
+    """The largest slip at the start [m/s]."""
+    return abs(p["v_t"]) + abs(p["r1"] * p["w1"]) + abs(p["r2"] * p["w2"])
 
 
 def _closing(p: Parameters) -> float:
@@ -191,8 +210,7 @@ def _released(p: Parameters, mass: float, late: float, second: float) -> tuple[f
     up to F dt/m; F is at most what springs make of all slip at the start, s sqrt(ks m/3.5), and
     less where both bodies move. late: dt times the time that is left [s2].
     """
-    slip = abs(p["v_t"]) + abs(p["r1"] * p["w1"]) + abs(p["r2"] * p["w2"])
-    jump = slip * math.sqrt(p["ks"] / (3.5 * mass)) * late
+    jump = _slip(p) * math.sqrt(p["ks"] / (3.5 * mass)) * late
     resolved = max(p["mu"] - 1.0, 0.0) * second
     return (resolved, 2) if resolved < jump else (jump, 1)
 
@@ -225,7 +243,8 @@ ON_FLOOR = (
     "friction turns this into tangential speed. Codes differ in the arm of the shear force, r - "
     "U/2 or r, with U/r = 1e-5",
     "weight and load act half a step late at the start: this changes the speed v of the first "
-    "impact by g dt/2v, 6e-5, and everything after it by as much",
+    "impact by g dt/2v, 6e-5, and everything after it by as much; speeds along the floor are late "
+    "by as much",
 )
 OF_PAIR = (
     "each end of a contact falls within a step, and costs up to (k dt)^2/8 of the closing speed, "

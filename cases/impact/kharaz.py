@@ -6,7 +6,7 @@ import math
 
 from cases.impact.parts._oblique import Impacts, at_angles, judged
 from reference_solutions.impact import hertz
-from reference_solutions.impact.rebound import Sphere
+from reference_solutions.impact.rebound import Law, Sphere
 from vv.ask import History, Knobs
 from vv.case import (
     Case,
@@ -39,6 +39,7 @@ SPIN = {  # angle of impact [degrees]: spin after it [1/s], from another figure
 ALUMINA, GLASS = (380e9, 0.23), (70e9, 0.25)  # Young's modulus [Pa], Poisson's ratio
 STEPS = (100, 200, 400, 1600)  # in the duration of a normal impact
 STRIDE, LASTS = 20, 1.1  # coarsest steps between outputs; duration over the longest contact
+MOST = 12  # half swings across the normal in a contact
 HOLDS = {
     "linear": 15.0,
     "hertz": 25.0,
@@ -56,6 +57,12 @@ CONDITIONS = "5 mm sphere of aluminium oxide, 3.9 m/s, on a thick plate of soda-
 def contact(variant: str, p: Parameters) -> Contact:
     """Linear springs, or the moduli of both materials together."""
     if variant == "linear":
+        swings = math.sqrt(3.5 * p["ks"] / p["kn"]) if p["kn"] > 0 else 0.0
+        if not swings <= MOST:
+            raise ValueError(
+                f"ks = {p['ks']!r} N/m; shear springs swing {swings:.3g} times in a contact; at "
+                f"most {MOST} are followed, between which the sphere slips and sticks"
+            )
         return Contact(p["kn"], p["ks"], p["mu"])
     normal, shear = (
         1.0 / sum(1.0 / of(*stuff) for stuff in (ALUMINA, GLASS))
@@ -87,15 +94,30 @@ def struck(impacts: Impacts, v: float) -> tuple[Ladder, tuple[Quantity, ...]]:
     rungs = tuple(Knobs(dt=unit / n) for n in STEPS)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     # where friction is strong, the force across the normal falls by mu times the normal one at last
-    steep = max(1.0, 0.4 + math.pi**2 / 8.0 * impacts.law.mu)
+    steep = max(1.0, 0.4 + math.pi**2 / 8.0 * impacts.law.mu, _swung(law))
     path = judged(
         steep / STEPS[0] ** 2, unit, STEPS[0],
         "an error of (w dt)^2/24 of the oscillations along the normal and across it, which is up "
         "to twice as fast; and as much where contact, stick or slip begins or ends within a step, "
-        "of friction (w dt)^2/8 times mu",
+        "of friction (w dt)^2/8 times mu. On stiff shear springs it is that of their swings, whose "
+        "force is at most mu times the normal one",
     )  # fmt: skip
     exact = impacts.worst(path), impacts.nearest(path), impacts.lasting(path)
     return Ladder(impacts.scene(), goal, impacts.seen(), levels), exact
+
+
+def _swung(law: Law) -> float:
+    """The error of a tangential velocity by swings across linear springs, over a step squared.
+
+    With the step as a part of the contact pi/w. A sphere that sticks to the wall swings at wt, with
+    wt^2 = r w^2 and r = 3.5 ks/kn: its phase (wt dt)^2/24 is ahead for a time of up to pi/w, at a
+    speed of 2/7 of the tangential one, or mu v/sqrt(r), v the normal one, where friction limits
+    the force.
+    """
+    if law.p != 1.0:
+        return 0.0
+    r = 3.5 * law.S / law.K
+    return math.pi**3 / 24.0 * r * min(2.0 / 7.0 * math.sqrt(r), law.mu)
 
 
 def _restitution(variant: str, impacts: Impacts, angle: float) -> Scalar:

@@ -20,6 +20,7 @@ PROJECT = find()
         ("galperin", "31", {"m": 1.6}, "overlap the wall by 0.01 m; at most a tenth"),
         ("galperin", "31", {"m": 1.76}, "overlap the wall by 0.0105 m; at most a tenth"),
         ("hertz-impact", "glass", {"v": 200.0}, "it must be below a tenth of the radius, 0.001 m"),
+        ("kharaz", "linear", {"ks": 8e8}, "springs swing 12.8 times in a contact; at most 12"),
         ("kharaz", "linear", {"v": 65.0}, "it must be below a tenth of the radius, 0.00025 m"),
         ("oblique-impact", "large-alloy", {"v": 200.0}, "it must be below a tenth of the radius"),
         ("restitution", "linear-limestone", {"v": 100.0}, "it must be below a tenth of the radius"),
