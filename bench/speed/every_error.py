@@ -8,7 +8,6 @@ that err no more than a run of another code, the cheapest counts. `VV_PROGRAMS=y
 codes that run as programs, of which each run takes a second.
 """
 
-import itertools
 import os
 import sys
 import tempfile
@@ -34,7 +33,7 @@ SCENES = (
 )
 CODES = ("dem", "dda", "rigid", *filter(None, os.environ.get("VV_PROGRAMS", "").split(",")))
 LARGEST = 0.3  # relative error; a larger one is no answer
-PREFERRED = (1.0, 1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0)  # numbers of steps, times tens
+DENSITY = 20  # numbers of steps in each decade
 FEWEST, MOST = (4, 25), 40_000  # steps of an elastic contact, of a block on rigid contact; of any
 STIFFNESSES = (1e5, 1e6, 1e7, 1e8, 1e9)  # N/m
 ENOUGH = 4.0
@@ -77,10 +76,9 @@ def timed(trial: Trial, adapter: Adapter, scheme: Scheme, ask: Ask) -> Point | N
 
 
 def numbers(fewest: int) -> Iterator[int]:
-    """Numbers of steps from `fewest` to MOST, of which each decade has ten."""
-    for power, first in itertools.product(range(5), PREFERRED):
-        if fewest <= round(first * 10**power) <= MOST:
-            yield round(first * 10**power)
+    """Numbers of steps from `fewest` to MOST, of which each decade has DENSITY."""
+    found = sorted({round(10 ** (i / DENSITY)) for i in range(5 * DENSITY)})
+    yield from (number for number in found if fewest <= number <= MOST)
 
 
 def points(trial: Trial, code: str, most: float) -> Iterator[Point]:

@@ -59,12 +59,23 @@ class Steps:
         slider, h, stride = self.slider, self.ask.dt, self.ask.goal.stride(self.ask.dt)
         rows = np.vstack((slider.relative_drive, slider.mu * slider.pressing))
         turn = 2 * np.pi * slider.frequency * h
-        middle = slider.phase + turn / 2
-        mean = np.sinc(turn / (2 * np.pi))
-        sines = np.stack((np.sin(middle), np.cos(middle), np.cos(turn), np.sin(turn), mean), axis=1)
+        sines = phases(slider.phase, turn)
         quickest = float(turn.max(initial=0.0))
         far = max(1.0, np.cbrt(EVEN / quickest)) if quickest > 0 else np.inf
-        start = np.array([*slider.slip, h, far])
+        pull = rows @ np.array([1.0, *np.sin(slider.phase)])
+        speed = float(np.hypot(*slider.slip))
+        first = pull[:2] - pull[2] * slider.slip / speed if speed else np.zeros(2)
+        start = np.array([*slider.slip, h, far, *first])
         work = np.empty((len(turn), 2))
         arguments: tuple[Any, ...] = (rows, sines, work, start, stride, self._out)
         return functools.partial(entry(follow_steps, arguments), *arguments)
+
+
+def phases(phase: Vector, turn: Vector) -> Vector:
+    """`sines` (k, 9) of `follow_steps`, of the phases (k,) at the start and those of a step."""
+    middle = phase + turn / 2
+    columns = (
+        np.sin(middle), np.cos(middle), np.cos(turn), np.sin(turn), np.sinc(turn / (2 * np.pi)),
+        np.cos(turn / 2), np.sin(turn / 2), np.cos(1.5 * turn), np.sin(1.5 * turn),
+    )  # fmt: skip
+    return np.stack(columns, axis=1)
