@@ -9,9 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cases._papers import LIU_2017
+from cases.bonds.parts._loading import at_zero_rate
 from cases.bonds.parts._quartzite import BRITTLE, KN, M
 from cases.bonds.parts._specimens import block_of, on_springs, on_tops, specimen, yielding
-from cases.bonds.tetrahedral_strength import at_zero_rate, judged_balance
+from cases.bonds.parts._unit_balance import judged_balance
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_material import Element

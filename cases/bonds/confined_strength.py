@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import functools
-import math
 
 import numpy as np
 
 from cases._papers import LIU_2017
 from cases.bonds.parts import _open_base as open_base
+from cases.bonds.parts._loading import BEYOND, EVERY, RATES, at_zero_rate, slid
 from cases.bonds.parts._quartzite import BRITTLE
 from cases.bonds.parts._unit import CORNERS, EDGES
-from cases.bonds.tetrahedral_strength import BEYOND, EVERY, RATES, at_zero_rate, slid
 from reference_solutions.bonds import confined_unit, lattice_material
 from reference_solutions.bonds.confined_unit import Failure
-from reference_solutions.bonds.lattice_material import Element
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
     Case,
@@ -92,18 +90,12 @@ def _failure(p: Parameters, share: float) -> Failure:
 
     Raises ValueError if it is not the largest pressure.
     """
-    failed = _under(p, share * p["fx"])
+    failed = open_base.under(p, share * p["fx"])
     given = f"fx = {p['fx']!r} N, of which one unit bears {share:g}"
     if not failed.pressure > failed.held:
         raise ValueError(f"{given}; its bonds slide below the pressure that opens the base")
     open_base.require_sound(p, failed, given)
     return failed
-
-
-def _under(p: Parameters, load: float) -> Failure:
-    """The failure of a unit in equilibrium under inward loads [N] on its base."""
-    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
-    return confined_unit.sliding_failure(element, p["d"], load, open_base.overshoot(p))
 
 
 def _uncertain(p: Parameters, share: float, failed: Failure) -> float:
@@ -113,19 +105,8 @@ def _uncertain(p: Parameters, share: float, failed: Failure) -> float:
 
 
 def _hurried(p: Parameters, share: float, failed: Failure) -> float:
-    """The most [Pa] that viscosity leaves in the strength that is extrapolated from RATES.
-
-    The top comes down at v, and an open base moves outwards at u, at which an inclined bond keeps
-    its horizontal balance: kn (v cos a - u sin a) sin a = ks (u cos a + v sin a) cos a. With
-    sin a = 1/sqrt3 that is u = v (1 - g) sqrt2/(1 + 2 g), g = ks/kn. Viscosity eta u on the base is
-    a load as fx is, of which the strength is no linear function. Twice what the extrapolation
-    leaves of the strength under it is allowed, since u also changes along the path.
-    """
-    g, speed = p["ks"] / p["kn"], abs(p["rate"]) * p["d"] * CORNERS[0, 2]
-    drag = p["eta"] * speed * abs(1.0 - g) * math.sqrt(2.0) / (1.0 + 2.0 * g)
-    fast, slow = (_under(p, share * p["fx"] + rate * drag).pressure for rate in RATES)
-    due = slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
-    return 2.0 * (due - failed.pressure)
+    """What viscosity leaves in the strength of a unit under a share of the load fx [Pa]."""
+    return open_base.hurried(p, share * p["fx"], failed)
 
 
 def _slopes(p: Parameters, shares: tuple[float, ...], exact: list[Failure]) -> tuple[Quantity, ...]:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
-from cases.bonds.tetrahedral_strength import RATES
+from cases.bonds.parts._loading import RATES, lost
+from cases.bonds.parts._unit import CORNERS
+from reference_solutions.bonds import confined_unit
 from reference_solutions.bonds.confined_unit import Failure
+from reference_solutions.bonds.lattice_material import Element
 from vv.case import Parameters
 
 
@@ -20,6 +23,21 @@ def require_sound(p: Parameters, failed: Failure, given: str) -> None:
         raise ValueError(
             f"{given}; the oscillation after the base opens stretches inclined bonds to "
             f"{failed.pulled:.3g} xb, so that they open"
+        )
+
+
+def require_fall(p: Parameters, opened: float) -> None:
+    """Raise ValueError where the pressure does not fall as the base opens, at a strain.
+
+    It must lose half of what it loses at rest before the load makes up for that: within half a
+    swing, or within the time in which a motion under stronger viscosity decays.
+    """
+    swing = math.pi / _frequency(p) * max(1.0, _damping(p, _frequency(p)))
+    grows, falls = RATES[0] * abs(p["rate"]) * swing / opened, 0.5 * lost(p)
+    if not grows < falls:
+        raise ValueError(
+            f"rate = {p['rate']:.6g} 1/s: as the base opens, the pressure grows by {grows:.3g} of "
+            f"itself in half a swing, and hides its fall; that must be below {falls:.3g}"
         )
 
 
@@ -40,14 +58,14 @@ def _frequency(p: Parameters) -> float:
     return math.sqrt((p["kn"] + 2.0 * p["ks"]) / (3.0 * p["m"]))
 
 
-def _damping(p: Parameters) -> float:
-    """The damping of that oscillation, over the critical one."""
-    return p["eta"] / (2.0 * p["m"] * _frequency(p))
+def _damping(p: Parameters, frequency: float) -> float:
+    """The damping of an oscillation [1/s], over the critical one."""
+    return p["eta"] / (2.0 * p["m"] * frequency)
 
 
 def overshoot(p: Parameters) -> float:
     """How far the base swings beyond its new equilibrium, over its distance from it before."""
-    z = _damping(p)
+    z = _damping(p, _frequency(p))
     return math.exp(-math.pi * z / math.sqrt(1.0 - z * z)) if z < 1.0 else 0.0
 
 
@@ -64,10 +82,43 @@ def swings(p: Parameters, failed: Failure) -> float:
 
 
 def _remaining_oscillation(p: Parameters, failed: Failure, rate: float) -> float:
-    """The part of the oscillation after the base opens that viscosity leaves at failure.
+    """The part of the oscillation after the base opens that viscosity leaves at failure."""
+    late = (failed.opened - failed.strain) / (rate * abs(p["rate"]))
+    return remaining(p, _frequency(p), late)
+
+
+def remaining(p: Parameters, frequency: float, late: float) -> float:
+    """The part of an oscillation [1/s] that viscosity leaves after a time [s].
 
     exp(-x)(1 + x), where x is time over that of decay: this holds for any damping.
     """
-    z, late = _damping(p), (failed.opened - failed.strain) / (rate * abs(p["rate"]))
-    x = _frequency(p) * late * (z if z <= 1.0 else 1.0 / (z + math.sqrt(z * z - 1.0)))
+    z = _damping(p, frequency)
+    x = frequency * late * (z if z <= 1.0 else 1.0 / (z + math.sqrt(z * z - 1.0)))
     return math.exp(-x) * (1.0 + x)
+
+
+def under(p: Parameters, load: float) -> Failure:
+    """The failure of a unit in equilibrium under inward loads [N] on its base."""
+    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
+    return confined_unit.sliding_failure(element, p["d"], load, overshoot(p))
+
+
+def hurried(p: Parameters, load: float, failed: Failure) -> float:
+    """The most [Pa] that viscosity leaves in the strength that is extrapolated from RATES.
+
+    load: on the base [N]. The top comes down at v, and an open base moves outwards at u, at which
+    an inclined bond keeps its horizontal balance: kn (v cos a - u sin a) sin a = ks (u cos a + v
+    sin a) cos a. With sin a = 1/sqrt3 that is u = v (1 - g) sqrt2/(1 + 2 g), g = ks/kn. Viscosity
+    eta u on the base is a load as well, of which the strength is no linear function. Twice what the
+    extrapolation leaves of the strength under it is allowed, since u also changes along the path.
+    """
+    drag = drag_on_base(p)
+    fast, slow = (under(p, load + rate * drag).pressure for rate in RATES)
+    due = slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
+    return 2.0 * (due - failed.pressure)
+
+
+def drag_on_base(p: Parameters) -> float:
+    """Viscosity [N] on an element of an open base, in the slower unit: see `hurried`."""
+    g, speed = p["ks"] / p["kn"], abs(p["rate"]) * p["d"] * CORNERS[0, 2]
+    return float(p["eta"] * speed * abs(1.0 - g) * math.sqrt(2.0) / (1.0 + 2.0 * g))

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from cases.bonds.tetrahedral_strength import RATES
+from cases.bonds.parts._loading import RATES
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import SIZES, Lattice, lattice
 from vv.ask import Reaction
