@@ -16,13 +16,15 @@ from cases.bonds.parts._loading import (
     EVERY,
     RATES,
     at_zero_rate,
+    coarsest,
+    levels,
     opening_strength,
     require_outputs,
     require_way,
     slid,
     tensile_strength,
 )
-from cases.bonds.parts._quartzite import BRITTLE, KN, D, M, slower
+from cases.bonds.parts._quartzite import BRITTLE, KN, D, M
 from cases.bonds.parts._unit import CORNERS, EDGES
 from cases.bonds.parts._unit_balance import (
     FEW,
@@ -32,8 +34,7 @@ from cases.bonds.parts._unit_balance import (
     turned_by_drag,
 )
 from reference_solutions.bonds import lattice_material, tetrahedral_unit
-from reference_solutions.bonds.tetrahedral_unit import State
-from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
+from vv.ask import Displacement, History, Method, Observable, Reaction, Run
 from vv.case import (
     Case,
     Exact,
@@ -100,31 +101,23 @@ def _strength(
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    scene, step, pulled = _scene(p), _coarsest(p), variant.startswith("pulled")
+    scene, step, pulled = _scene(p), coarsest(p), variant.startswith("pulled")
     require_way(p, 1.0 if pulled else -1.0)
     if pulled:
-        failed, strengths, closed = _pulled(p)
+        last, strengths, closed = _pulled(p)
     else:
-        failed, strengths, closed = _pressed(p, step)
+        last, strengths, closed = _pressed(p, step)
     if variant in HURRIED:
         strengths += (_at_papers_rate(variant, p),)
-    goal = History(BEYOND * abs(failed.strain / p["rate"]), EVERY)
+    goal = History(BEYOND * abs(last / p["rate"]), EVERY)
     units = [len(CORNERS) * k for k in range(len(RATES))]
     moved = [Displacement(k + i) for k in units for i in range(3)]
     watched: tuple[Observable, ...] = (*(Reaction(k) for k in units), *moved)
-    rungs = tuple(Knobs(dt=step / 2**i) for i in range(3))
-    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:2], Level.PAPER: rungs}
-    return Trial(Ladder(scene, goal, watched, levels), (*strengths, closed))
+    return Trial(Ladder(scene, goal, watched, levels(step)), (*strengths, closed))
 
 
-def _coarsest(p: Parameters) -> float:
-    """The coarsest step [s]: 4e-8, or its part on stiffer bonds or under stronger viscosity."""
-    drag = SLOWED * p["m"] / p["eta"] / COARSEST if p["eta"] > 0 else 1.0
-    return float(COARSEST * min(1.0, slower(p), 2.0 ** math.floor(math.log2(drag))))
-
-
-def _pulled(p: Parameters) -> tuple[State, tuple[Quantity, ...], Scalar]:
-    """The last failure of units that are pulled, their strength, and their energy balance."""
+def _pulled(p: Parameters) -> tuple[float, tuple[Quantity, ...], Scalar]:
+    """The strain at which pulled units fail, their strength, and their energy balance."""
     kn, ks, d = p["kn"], p["ks"], p["d"]
     element = unit_strengths.element_of(p)
     opens = tetrahedral_unit.tension_failure(element, d)
@@ -138,11 +131,11 @@ def _pulled(p: Parameters) -> tuple[State, tuple[Quantity, ...], Scalar]:
     )  # fmt: skip
     started = begun_with_drag(p, 0.5 * failed.fz * failed.x.dz)
     closed = judged_balance(2e-7, FEW, started=started, turned=turned_by_drag(p))
-    return failed, strengths, closed
+    return failed.strain, strengths, closed
 
 
-def _pressed(p: Parameters, step: float) -> tuple[State, tuple[Quantity, ...], Scalar]:
-    """The last failure of units that are pressed, their strengths, and their energy balance."""
+def _pressed(p: Parameters, step: float) -> tuple[float, tuple[Quantity, ...], Scalar]:
+    """The strain at which pressed units fail, their strengths, and their energy balance."""
     kn, ks, xb, d = (p[name] for name in ("kn", "ks", "xb", "d"))
     element = unit_strengths.element_of(p)
     slides = abs(tetrahedral_unit.sliding_failure(element, d).strain)
@@ -151,7 +144,9 @@ def _pressed(p: Parameters, step: float) -> tuple[State, tuple[Quantity, ...], S
     _require_later(p, opens, slides)
     require_outputs(p, opens)
     open_base.require_fall(p, opens)
-    open_base.require_sound(p, open_base.under(p, 0.0), f"xb = {xb:.4g} m")
+    given = f"xb = {xb:.4g} m"
+    open_base.require_largest(p, 0.0, given)
+    open_base.require_sound(p, open_base.under(p, 0.0), given)
     opened, failed = unit_strengths.opening(p), unit_strengths.sliding(p)
     strengths = _strength(
         "C_open", "pressure that opens the base", opening_strength, p, -opened.state.stress,
@@ -161,7 +156,8 @@ def _pressed(p: Parameters, step: float) -> tuple[State, tuple[Quantity, ...], S
         "Eq. 14", lattice_material.sliding_strength(p["fs0"], p["mu_p"], d), failed.bound,
     )  # fmt: skip
     held = 0.5 * failed.state.fz * failed.state.x.dz
-    return failed.state, strengths, sliding_balance(p, element, held, step)
+    late = open_base.late_strain(p, 0.0, failed.state.strain)
+    return late, strengths, sliding_balance(p, element, held, step)
 
 
 def _require_opening(p: Parameters, kind: str, shear: float) -> None:
@@ -241,8 +237,7 @@ def _bounds(bound: float) -> Judge:
 
 
 ROUNDED = "codes round coordinates differently, by up to a third of 5e-9"
-COARSEST = 4e-8  # s
-SLOWED = 1.5  # times m/eta: the longest step; from 2 on drag of half a step ago is unstable
+
 
 CASE = Case(
     name="tetrahedral-strength",

@@ -2,21 +2,37 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
+from cases.bonds.parts._quartzite import slower
 from cases.bonds.parts._unit import CORNERS
-from vv.ask import Displacement, Reaction, Run
-from vv.case import Parameters
+from vv.ask import Displacement, Knobs, Reaction, Run
+from vv.case import Level, Parameters
 from vv.scene import Vector
 
 RATES = (2.0, 1.0)  # rates of loading of the two units, over that of the slower one
 BEYOND = 1.15  # of the strain at failure, up to which the slower unit is loaded
 EVERY = 1.6e-7  # s between outputs
+COARSEST = 4e-8  # s
+SLOWED = 1.5  # times m/eta: the longest step; from 2 on drag of half a step ago is unstable
 FIRST = 4  # outputs before a failure, from the last two of which it is extrapolated
 FALL = 0.05  # relative fall below the largest stress so far that shows broken bonds, at most
+
+
+def coarsest(p: Parameters) -> float:
+    """The coarsest step [s]: 4e-8, or its part on stiffer bonds or under stronger viscosity."""
+    drag = SLOWED * p["m"] / p["eta"] / COARSEST if p["eta"] > 0 else 1.0
+    return float(COARSEST * min(1.0, slower(p), 2.0 ** math.floor(math.log2(drag))))
+
+
+def levels(coarse: float) -> dict[Level, tuple[Knobs, ...]]:
+    """The rungs of each level, from the coarsest step [s]."""
+    rungs = tuple(Knobs(dt=coarse / 2**i) for i in range(3))
+    return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:2], Level.PAPER: rungs}
 
 
 def require_way(p: Parameters, sign: float) -> None:

@@ -11,6 +11,23 @@ from reference_solutions.bonds.confined_unit import Failure
 from reference_solutions.bonds.lattice_material import Element
 from vv.case import Parameters
 
+DELAYED = 0.95  # of the strain at failure under viscosity, since the run goes on beyond
+
+
+def require_largest(p: Parameters, load: float, given: str) -> None:
+    """Raise ValueError unless inclined bonds slide at the largest pressure, under a load [N].
+
+    Viscosity on the base of the faster unit is a load as well.
+    """
+    for more in (0.0, RATES[0] * drag_on_base(p)):
+        failed = under(p, load + more)
+        if not failed.pressure > failed.held:
+            viscous = f", with {more:.4g} N of viscosity" if more else ""
+            raise ValueError(
+                f"{given}{viscous}; its bonds slide below the pressure that opens the base, at "
+                f"{failed.pressure:.4g} Pa, which must be above {failed.held:.4g} Pa"
+            )
+
 
 def require_sound(p: Parameters, failed: Failure, given: str) -> None:
     """Raise ValueError where inclined bonds fail in the oscillation after the base opens."""
@@ -116,6 +133,14 @@ def hurried(p: Parameters, load: float, failed: Failure) -> float:
     fast, slow = (under(p, load + rate * drag).pressure for rate in RATES)
     due = slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
     return 2.0 * (due - failed.pressure)
+
+
+def late_strain(p: Parameters, load: float, strain: float) -> float:
+    """The strain at which the last unit fails, under a load [N] on its base; strain: without drag.
+
+    Viscosity on the base delays the failure.
+    """
+    return max(abs(strain), DELAYED * abs(under(p, load + drag_on_base(p)).strain))
 
 
 def drag_on_base(p: Parameters) -> float:

@@ -9,7 +9,7 @@ from adapters.dem import ADAPTER
 from cases.bonds.confined_strength import CASE
 from cases.bonds.parts import _open_base
 from vv.ask import Knobs, Method
-from vv.case import Exact, Ladder, Scalar
+from vv.case import Exact, Ladder, Level, Scalar
 
 WEAK = {"fx": 5.0, "mu_p": 0.21, "fs0": 14.0, "eta": 4.0}
 
@@ -40,6 +40,28 @@ def test_what_viscosity_leaves_is_that_of_a_load_on_the_base(
         assert isinstance(one.reference, float)
         error = abs(one.observe(run) / one.reference - 1.0)
         assert 0.35 < error / one.judge.tolerance(Method.SECOND_ORDER).value < 0.65
+
+
+@pytest.mark.parametrize(
+    "given", [{"eta": 300.0}, {"m": 1.9e-8}, {"eta": 80.0, "rate": -80.0}, {"ks": 8e5}], ids=str
+)
+def test_failures_far_from_the_usual_parameters_are_within_their_bounds(
+    given: dict[str, float], tmp_path: Path
+) -> None:
+    """Viscosity delays them beyond the strain at rest; light elements need shorter steps."""
+    trial = CASE.declare("two", {**CASE.defaults("two"), **given})
+    knobs = cast(Ladder, trial.study).rungs[Level.QUICK][0]
+    (run,) = ADAPTER.run([cast(Ladder, trial.study).ask(knobs)], "default", tmp_path, 0.0)
+    for one in (it for it in trial.quantities if isinstance(it.judge, Exact)):
+        assert isinstance(one, Scalar)
+        assert isinstance(one.judge, Exact)
+        error = abs(one.observe(run) / cast(float, one.reference) - 1.0)
+        assert error < one.judge.tolerance(Method.SECOND_ORDER).at(knobs), one.name
+
+
+def test_units_that_are_pulled_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"rate = 30\.0 1/s; it must be negative where they are"):
+        CASE.declare("two", {**CASE.defaults("two"), "rate": 30.0})
 
 
 @pytest.mark.parametrize(

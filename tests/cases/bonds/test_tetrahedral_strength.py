@@ -99,6 +99,7 @@ def test_strengths_and_balance_are_within_their_bounds_far_from_the_usual_parame
         ("pressed", {"rate": -1.0}, r"rate = 7.5 1/s; it must be negative where they are pressed"),
         ("pulled", {"rate": 200.0}, r"rate = 320.0 1/s; its size must be below 216.996"),
         ("pressed", {"xb": 0.01}, r"rate = -7.5 1/s: as the base opens, the pressure grows"),
+        ("pressed", {"ks": 0.2, "fs0": 0.4, "mu_p": 0.1}, r"bonds slide below the pressure that"),
         ("pressed", {"eta": 100.0}, r"in half a swing, and hides its fall; that must be below"),
         ("pulled", {"eta": -1.0}, r"eta = -6.0 N s/m; drag must be zero or more"),
         ("pulled", {"m": 0.0}, r"Spheres.mass\[0\] = 0.0 kg; masses must be positive"),
