@@ -34,7 +34,8 @@ class Tolerance:
     nor, at a case's own parameters and settings, above LARGEST_TOLERANCE; at others it may be, and
     from 1 on a run is only shown. slack: the reason, if the bound is more than a hundred times the
     error that codes reach. least: the least bound at a step [s], for an error that grows faster
-    than dt**order in long steps. Raises ValueError naming the field, the value and the rule.
+    than dt**order in long steps. more: what is added at a stiffness [N/m], for an error that is no
+    power of it. Raises ValueError naming the field, the value and the rule.
     """
 
     value: float
@@ -47,6 +48,7 @@ class Tolerance:
     softness: float = 0.0
     late: float = 0.0
     least: Callable[[float], float] | None = None
+    more: Callable[[float], float] | None = None
 
     def __post_init__(self) -> None:
         if not self.value > 0:
@@ -80,6 +82,8 @@ class Tolerance:
         if self.kn is not None and knobs.kn is not None:
             bound *= (self.kn / knobs.kn) ** self.softness
         bound += self.late * (knobs.dt or 0.0)
+        if self.more is not None and knobs.kn is not None:
+            bound += self.more(knobs.kn)
         steep = self.least(knobs.dt) if self.least is not None and knobs.dt is not None else 0.0
         return max(self.floor, bound, steep)
 

@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 
+from cases.blocks.parts._vibrating import slips_on
 from reference_solutions.blocks import incline
 from vv.ask import Knobs, Method
 from vv.case import Exact, Parameters, Tolerance
@@ -99,7 +100,15 @@ def in_two_directions(p: Parameters, swept: bool, slid: float) -> tuple[Exact, E
 
     slid: the largest displacement [m].
     """
-    springs = _on_springs(_stopping(p, CORNERS if swept else ONE_WAY))
+    stopping = _stopping(p, CORNERS if swept else ONE_WAY)
+    springs = _on_springs(
+        dataclasses.replace(
+            stopping,
+            reason=f"{stopping.reason}. Springs that nothing damps vibrate while the block rests, "
+            "and it slips farther for what vibrates across the slip that follows",
+            more=slips_on(p, MASS, slid),
+        )
+    )
     rigid = {Method.SECOND_ORDER: _rotating(p, swept, slid), Method.FIRST_ORDER: _half_steps(p)}
     both = {**springs, **rigid}
     aside = {m: dataclasses.replace(one, slack=one.slack or ASIDE) for m, one in both.items()}
@@ -148,6 +157,7 @@ def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
         softness=late.softness,
         late=2 * late.late,
         slack=late.slack,
+        more=late.more,
     )
     return {
         Method.EXACT: STEADY[Method.EXACT],
