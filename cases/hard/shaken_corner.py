@@ -9,7 +9,7 @@ import numpy as np
 
 from cases._sines import harmonic
 from cases.hard.parts import _shaken_bounds
-from cases.hard.parts._shaken_bounds import LASTS, SPEED, STEPS
+from cases.hard.parts._shaken_bounds import LASTS, RADIUS, SPEED, STEPS
 from reference_solutions.contact import shaken_spring
 from reference_solutions.contact.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs
@@ -28,7 +28,6 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
 # along no axis of the frame
 AXES = np.array([[2.0, 2.0, 1.0], [-2.0, 1.0, 2.0], [1.0, -2.0, 2.0]]) / 3
-RADIUS = 1e-3  # m; does not enter the answer
 KS, MU = 0.7, 0.9  # ks/kn on one wall, and friction enough: no contact slips or opens
 # along each axis: amplitude over u, omega/w, phase; of the walls, and of the sphere's shaking
 MOVED = ((0.10, 0.31, 0.4), (0.08, 0.57, -1.1), (0.12, 0.43, 2.0))

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from cases.blocks.parts._responding_slow import Path, kept, late_springs, sharp_turns
 from vv.ask import Method
 from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
+
+Biased = Callable[[float], float] | None  # a step [s] -> an error
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: neither enters the answer
 LOST = {
@@ -19,6 +23,7 @@ EPS = float(np.finfo(float).eps)
 STEP, SPRING, MASS = 1e-3, 1e8, DENSITY * SIDE**3  # s, N/m, kg
 GAP = 1e-10  # of the displacement: a gap at t = 0 that is too small for codes to see
 LEAST = 2e-9  # a bound: the tolerance with which reversals are located
+EVEN = 1e-9  # of a number of steps: it is whole but for rounding
 STICKS = 0.45  # of the base's acceleration: with less friction than that the block always slips
 
 
@@ -58,16 +63,20 @@ def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance
     rate, stops = p["mu"] * p["g"] * p["duration"] / way, _stops(p)
     # f in Hz: delays add up faster at higher frequencies
     quick = 1 + p["f"] / 3 if one_way else 1.0
+    biased = _biased(p, rate)
     slips_on = _always_slips(p) or not one_way
     springs, whole = (late_springs(p), kept(p) / p["duration"]) if slips_on else (0.0, 0.0)
     return {
         Method.EXACT: Tolerance(1e-13, LOCATED) if one_way else _rounding(p, path),
         Method.SECOND_ORDER: _second(p) if one_way else _rotating(p, path, way),
-        Method.PENALTY: _late_reversals(rate, max(0.07 * quick, springs), max(0.8, whole, stops)),
+        Method.PENALTY: _late_reversals(
+            rate, max(0.07 * quick, springs), max(0.8, whole, stops), biased
+        ),
         Method.LAGGING: _late_reversals(
             rate,
             max(0.1 * quick, springs),
             max(2.0, 2 * stops),
+            biased,
             "; lagging friction adds to it",
         ),
     }
@@ -186,7 +195,27 @@ def _rotating(p: Parameters, path: Path, way: float) -> Tolerance:
     )
 
 
-def _late_reversals(rate: float, by_springs: float, by_steps: float, more: str = "") -> Tolerance:
+def _biased(p: Parameters, rate: float) -> Callable[[float], float] | None:
+    """The error at a step [s] because friction acts for a step longer in one direction.
+
+    rate: mu g T over the displacement [1/s]. Where a period is no even number of steps, a slip that
+    reverses on whole steps lasts for a step longer in one half of each period. The speed of the
+    block drifts by that, until friction on the base that is faster than it makes up for it.
+    """
+    if directions(p) > 1 or not _always_slips(p):
+        return None
+
+    def error(dt: float) -> float:
+        halves = 0.5 / (p["f"] * dt)
+        even = abs(halves - round(halves)) < EVEN * halves
+        return 0.0 if even else rate * dt * p["f"] * kept(p) / 2
+
+    return error
+
+
+def _late_reversals(
+    rate: float, by_springs: float, by_steps: float, biased: Biased, more: str = ""
+) -> Tolerance:
     """For late reversals of slip; rate: mu g T over the displacement [1/s]."""
     value = rate * by_springs * np.sqrt(MASS / SPRING)
     return Tolerance(
@@ -194,9 +223,11 @@ def _late_reversals(rate: float, by_springs: float, by_steps: float, more: str =
         "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, or by 4/3 sqrt(mu "
         "g/a)/w where the block slips on while the base accelerates by a; and reversals fall on "
         "whole steps; over the duration T the delays add up to mu g T "
-        f"({by_springs:g}/w + {by_steps:g} dt){more}",
+        f"({by_springs:g}/w + {by_steps:g} dt){more}. Where a period is no even number of steps, "
+        "friction acts for a step longer in one direction in each of them",
         kn=SPRING,
         softness=0.5,
         late=by_steps * rate,
         slack="slip that rotates between two directions hardly reverses",
+        least=biased,
     )
