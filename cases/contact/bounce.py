@@ -17,6 +17,7 @@ from cases.contact.parts._bouncing import (
     on_floor,
     pair_path,
     pair_scene,
+    require_meeting,
     require_shallow,
 )
 from vv.ask import Displacement, Knobs, Method
@@ -47,6 +48,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(f"load = {p['load']!r} N; it must be 0, since nothing bears it here")
     scene = on_floor(p, variant == "held") if alone else pair_scene(p)
     require_shallow(alone, p)
+    if not alone:
+        require_meeting(p)
     step = coarsest_step(FLOOR_STEP if alone else PAIR_STEP, CASE.defaults(variant), alone, p)
     if alone:
         seen: tuple[Displacement, ...] = (Displacement(1),)

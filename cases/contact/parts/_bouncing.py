@@ -88,6 +88,17 @@ def require_shallow(alone: bool, p: Parameters) -> None:
         )
 
 
+def require_meeting(p: Parameters) -> None:
+    """Raise ValueError where two spheres do not meet before the end."""
+    pull = p["load"] * (1 / mass_of(p, p["r1"]) + 1 / mass_of(p, p["r2"]))
+    closing = math.sqrt(max(p["v_n"] ** 2 + 2 * pull * p["gap"], 0.0))
+    if not 2 * p["gap"] < (closing + p["v_n"]) * GOAL.duration:
+        raise ValueError(
+            f"gap = {p['gap']!r} m, v_n = {p['v_n']!r} m/s; the spheres must meet within "
+            f"{GOAL.duration:g} s"
+        )
+
+
 def coarsest_step(usual: float, own: Parameters, alone: bool, p: Parameters) -> float:
     """The coarsest step [s]: `usual` at own parameters, as long a part of a contact elsewhere.
 
