@@ -25,6 +25,8 @@ RIGHT = {
     "painleve:mu-0.8 mu=0.89 slope=2.25 half=0.727 V=1.9 g=8.6 m=91.6": "dda/lagged",
     "painleve:mu-0.8 slope=1.72 g=25.5 m=104": "dda/published",
     "knife-edge:topples rho=250": "dda/lagged",
+    "at-yield:above f=20": "dem/default",
+    "at-yield:below g=294.3": "exact/default",
     "responding-block:1d f=16": "dem/published",
     "shaken-corner:viscous u=3e-7": "exact/default",
     "responding-block:3d D=0.01": "rigid/default",

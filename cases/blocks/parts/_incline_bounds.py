@@ -68,7 +68,17 @@ def along_dip(p: Parameters, own: bool) -> Exact:
     on_springs = _on_springs(_started_late(p, springs))
     if uphill and not own:
         on_springs[Method.LAGGING] = _reversing_late(p, on_springs[Method.LAGGING])
-    return Exact({**on_springs, **rigid})
+    return Exact({**on_springs, **rigid, Method.EXACT: _rounded(p)})
+
+
+def _rounded(p: Parameters) -> Tolerance:
+    """For events that are located, and for weight and friction that nearly balance."""
+    lost = np.finfo(float).eps * free_fall(p) * 2 / _largest_slip(p)
+    return Tolerance(
+        max(STEADY[Method.EXACT].value, float(lost)),
+        "only rounding errors of at most a few hundred located events remain, and of weight and "
+        "friction, the last digit of g T^2 if they nearly balance",
+    )
 
 
 def _started_late(p: Parameters, springs: Tolerance) -> Tolerance:
@@ -183,13 +193,14 @@ def _stopping(p: Parameters, times: float) -> Tolerance:
     """For a block that stops and slips again; times: stretches of its shear spring per cycle."""
     cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
     stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sinking(p)) * MASS / SPRING
+    stretch *= _resounding(p)
     speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
     return Tolerance(
         max(float(cycles * stretch / _largest_slip(p)), 1e-9),
         f"each cycle of slip and rest costs up to {times:g} stretches mu N/ks of the shear spring, "
-        "or the slip that sinking adds where slip begins and ends. Shaking acts half a step late, "
-        "and so do gravity and friction if the block slides from the start; slip stops at the end "
-        "of a step",
+        "or the slip that sinking adds where slip begins and ends, over 1 - m w^2/kn. Shaking acts "
+        "half a step late, and so do gravity and friction if the block slides from the start; slip "
+        "stops at the end of a step",
         kn=SPRING,
         softness=1,
         late=1.2 * (float(speed) + _start_error(p)) / _largest_slip(p),
@@ -206,6 +217,13 @@ def _sinking(p: Parameters) -> float:
     """
     alpha, phi = np.radians([p["alpha"], p["phi"]])
     return float(4.0 * 2.0 * np.pi * p["A"] * np.sin(alpha) * np.tan(phi))
+
+
+def _resounding(p: Parameters) -> float:
+    """By which factor shaking near the frequency of the springs stretches them more."""
+    fastest = max(p["f"] if p["A"] else 0.0, p["fy"] if p["Ay"] else 0.0)
+    near = MASS * (2 * np.pi * fastest) ** 2 / SPRING
+    return float(max(1.0, 1 / max(abs(1 - near), np.finfo(float).eps)))
 
 
 def _start_error(p: Parameters) -> float:
