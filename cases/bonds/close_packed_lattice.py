@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds.parts._quartzite import ELASTIC, slower
+from cases.bonds.parts._quartzite import ELASTIC, slower_lattice
 from reference_solutions.bonds import (
     close_packed_lattice,
     lattice_directions,
@@ -102,7 +102,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     route = turning_lattice if turning else close_packed_lattice
     answer = functools.cache(lambda: route.static(block, p["kn"], p["gamma"] * p["kn"]))
     steps = COARSE if len(block.position) > LARGE else STEPS
-    rungs = {level: tuple(Knobs(dt * slower(p)) for dt in own) for level, own in steps.items()}
+    longer = slower_lattice(p["kn"], p["gamma"] * p["kn"], p["m"])
+    rungs = {level: tuple(Knobs(dt * longer) for dt in own) for level, own in steps.items()}
     study = Ladder(scene, goal, seen_of(block), rungs, cpu_limit=PATIENCE)
     lean = np.radians(LEANS.get(variant, 0.0))
     return Trial(study, _measured(p, block, answer, turning, lean))

@@ -16,7 +16,7 @@ from cases.bonds.close_packed_lattice import (
     scale_of,
     seen_of,
 )
-from cases.bonds.parts._quartzite import ELASTIC, slower
+from cases.bonds.parts._quartzite import ELASTIC, slower_lattice
 from cases.bonds.parts._specimens import block_of
 from reference_solutions.bonds import close_packed_lattice, lattice_path
 from reference_solutions.bonds.close_packed_lattice import Lattice
@@ -49,7 +49,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if not 1e-6 <= abs(p["strain"]) <= 5e-3:
         raise ValueError(f"strain = {p['strain']!r}; its size must be from 1e-6 to 5e-3")
     block = block_of(int(variant.partition("-")[2]), p["d"])
-    coarse = COARSE * slower(p)
+    coarse = COARSE * slower_lattice(p["kn"], p["gamma"] * p["kn"], p["m"])
     steps = max(1, round(DURATION / OUTPUTS / lowest(p, block) / coarse))  # between two outputs
     goal = History(OUTPUTS * steps * coarse, steps * coarse)
     scene = held(p, block, goal.duration, turning=False)

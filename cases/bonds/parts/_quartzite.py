@@ -8,9 +8,10 @@ KN = Parameter("kn", 46793831.1079, "N/m", "normal stiffness of a bond (Table 1)
 D = Parameter("d", 1e-3, "m", "diameter of an element, length of a bond")
 M = Parameter("m", 1.87383297e-6, "kg", "mass of an element (Eq. 27)")
 ELASTIC = (KN, Parameter("gamma", 5 / 29, "", "ks/kn of a bond (Table 1)"), D, M)
+KS = Parameter("ks", 8067901.91516, "N/m", "shear stiffness of a bond (Table 1)")
 BRITTLE = (
     KN,
-    Parameter("ks", 8067901.91516, "N/m", "shear stiffness of a bond (Table 1)"),
+    KS,
     Parameter("xb", 1.70370370e-7, "m", "stretch that opens a bond (Table 1)"),
     Parameter("fs0", 18.4522728, "N", "shear strength under no normal force (Table 1)"),
     Parameter("mu_p", 0.396446609, "", "friction between elements (Table 1)"),
@@ -27,3 +28,15 @@ def slower(p: Parameters) -> float:
     """
     ratio = math.sqrt(p["m"] / M.value * KN.value / p["kn"])
     return float(2.0 ** math.floor(math.log2(ratio)))
+
+
+def slower_lattice(kn: float, ks: float, m: float) -> float:
+    """As `slower`, for lattices, where stiff shear springs quicken the oscillation as well.
+
+    The squares of the frequencies of an element add up to 4 (kn + 2 ks)/m in three directions.
+    """
+    springs = (KN.value + 2.0 * KS.value) / (kn + 2.0 * ks)
+    return float(2.0 ** math.floor(math.log2(math.sqrt(m / M.value * springs)) + ROUNDS))
+
+
+ROUNDS = 1e-9  # of a power of 2: how far the ratio of the usual springs may be from one

@@ -28,7 +28,7 @@ def judged_balance(
         bound + started * turned * dt**2, _said(started), dt=dt, order=2, slack=slack
     )
     if both:
-        late = bound / dt
+        late = bound / dt + started
         first = Tolerance(
             bound, f"{BOOKED}, in both orders", dt=dt, order=2, late=late, slack=slack
         )

@@ -1,11 +1,12 @@
 """Claims about the blocks that are pulled or pressed to failure."""
 
 import numpy as np
+import pytest
 
 from cases.bonds.close_packed_strength import CASE
 from cases.bonds.parts._specimens import block_of, on_springs, on_tops, specimen, yielding
-from vv.ask import Ask, History, Knobs, Reaction
-from vv.case import Scalar
+from vv.ask import Ask, History, Knobs, Method, Reaction
+from vv.case import Exact, Ladder, Level, Scalar
 from vv.engines import dem
 from vv.scene import Scene
 
@@ -50,3 +51,39 @@ def test_springs_to_platens_stay_upright() -> None:
     assert 0.01 * BLOCK.height / np.abs(apart[:, 2]).min() < 1e-4
     assert scene.spheres.free[springs[:, 0]].all()
     assert not scene.spheres.free[springs[:, 1]].any()
+
+
+PULLED = CASE.defaults("pulled-82")
+
+
+@pytest.mark.parametrize(
+    "given", [{"xb": 0.1}, {"rate": 16.0}, {"rate": 100.0}, {"m": 0.1}, {"ks": 8.0}], ids=str
+)
+def test_strength_and_balance_are_within_their_bounds_far_from_the_usual_parameters(
+    given: dict[str, float],
+) -> None:
+    trial = CASE.declare("pulled-82", {n: v * given.get(n, 1.0) for n, v in PULLED.items()})
+    assert isinstance(trial.study, Ladder)
+    knobs = trial.study.rungs[Level.QUICK][0]
+    run = dem.solve_default(trial.study.ask(knobs))
+    for one in (q for q in trial.quantities if isinstance(q.judge, Exact)):
+        assert isinstance(one, Scalar)
+        assert isinstance(one.judge, Exact)
+        assert isinstance(one.scale, float)
+        assert isinstance(one.reference, float)
+        error = abs(one.observe(run) - one.reference) / one.scale
+        assert error < one.judge.tolerance(Method.SECOND_ORDER).at(knobs), one.name
+
+
+@pytest.mark.parametrize(
+    ("given", "why"),
+    [
+        ({"xb": 8.0}, r"xb = 1.363e-06 m: bonds slide before the first one opens"),
+        ({"fs0": 0.1}, r"that must be below fs0 = 1.845 N"),
+        ({"mu_p": 8.0}, r"bonds slide before the first one opens"),
+        ({"rate": -1.0}, r"rate = -0.6 1/s; it must be positive where units are pulled"),
+    ],
+)
+def test_what_does_not_open_first_is_refused(given: dict[str, float], why: str) -> None:
+    with pytest.raises(ValueError, match=why):
+        CASE.declare("pulled-82", {n: v * given.get(n, 1.0) for n, v in PULLED.items()})
