@@ -140,7 +140,7 @@ def test_newton_steps_solve_what_sweeps_leave_of_a_shaken_facade(
 
 
 @pytest.mark.shows(
-    "Every step of a wall of 205 blocks that slides at 0.72 g and 3 Hz then reaches 5e-6 m/s, in "
+    "Every step of a wall of 205 blocks that slides at 0.72 g then reaches 5e-6 m/s, at 3 Hz in "
     "some 370 sweeps on average"
 )
 def test_each_step_of_a_wall_that_slides_is_solved_in_hundreds_of_sweeps() -> None:
@@ -150,11 +150,9 @@ def test_each_step_of_a_wall_that_slides_is_solved_in_hundreds_of_sweeps() -> No
 
 
 @pytest.mark.shows(
-    "at 5 Hz at most one step of 135 does not, and stays below 1e-5 m/s, since the step before "
-    "leads its iteration astray"
+    "and at 5 Hz, where impulses of the step before lead one step astray that zero impulses do not"
 )
-def test_a_step_of_a_wall_that_slides_at_five_hertz_stays_near_the_residual_asked() -> None:
-    """From zero impulses sweeps solve it; those of the step before drift too little to be left."""
+def test_each_step_of_a_wall_that_slides_at_five_hertz_is_solved() -> None:
+    """The 129th step is one from whose impulses of the step before nothing else converges."""
     found = block_wall.solved(0.02 * (3.0 / 5.0) ** 2, 0.135, 5.0)
-    assert found[RESIDUAL] <= 1e-5
-    assert found[f"steps whose residual is above {block_wall.CREEPS} m/s"] <= 1
+    assert found[RESIDUAL] <= block_wall.CREEPS

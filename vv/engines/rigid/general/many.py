@@ -74,9 +74,10 @@ def solve_or_retry(
 ) -> tuple[int, float]:
     """Solve as `solve_few`, blocks that form no chain by sweeps with leaps.
 
-    If these do not reach the limit of the residual, the solution is started again without leaps. If
-    that fails, too, Newton rounds are tried, from the same impulses, from none and from the best so
-    far, which is kept otherwise. The first step of blocks at rest, of which a finer residual is
+    If these do not reach the limit of the residual, the solution is started again without leaps,
+    and then with leaps from zero impulses, as those of the step before may lead astray. If that
+    fails, too, Newton rounds are tried, from the same impulses, from none and from the best so far,
+    which is kept otherwise. The first step of blocks at rest, of which a finer residual is
     asked, is then solved until it bears the weights of all.
     """
     p, v, w = problem.p, problem.v, problem.w
@@ -90,16 +91,23 @@ def solve_or_retry(
             left = settled(problem, limits.finest, place)
         return sweeps, left
     best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
-    copy_rows(p, start)
-    copy_rows(v, start_v)
-    copy_rows(w, start_w)
-    more, other = solve_in_turns(limits, problem, fewest, tolerance, place)
-    if other <= left:
-        left = other
-        copy_rows(best, p)
-        copy_rows(best_v, v)
-        copy_rows(best_w, w)
-    for anew in range(3 if left > limits.tolerance else 0):
+    for way in range(2):
+        copy_rows(p, start)
+        copy_rows(v, start_v)
+        copy_rows(w, start_w)
+        if way == 0:
+            more, other = solve_in_turns(limits, problem, fewest, tolerance, place)
+        else:
+            more, other = solve_anew(limits, problem, fewest, tolerance, place)
+        sweeps += more
+        if other <= limits.tolerance:
+            return sweeps, other
+        if other <= left:
+            left = other
+            copy_rows(best, p)
+            copy_rows(best_v, v)
+            copy_rows(best_w, w)
+    for anew in range(3):
         free_v, free_w = velocities_without(problem)
         copy_rows(p, best if anew == 2 else start)
         if anew == 1:
@@ -107,11 +115,11 @@ def solve_or_retry(
         recomputed(problem, free_v, free_w)
         last = newton_rounds(problem, limits.tolerance, place)
         if last <= limits.tolerance:
-            return sweeps + more, last
+            return sweeps, last
     copy_rows(p, best)
     copy_rows(v, best_v)
     copy_rows(w, best_w)
-    return sweeps + more, left
+    return sweeps, left
 
 
 @called
@@ -140,6 +148,17 @@ def solve_with_leaps(
         elif left > limits.tolerance:
             left = polish(problem, tolerance, left, place, SOFT)
     return sweeps, left
+
+
+@called
+def solve_anew(
+    limits: Limits, problem: Problem, fewest: int, tolerance: float, place: Index
+) -> tuple[int, float]:
+    """Solve by sweeps with leaps, as `solve_or_retry`, from zero impulses."""
+    free_v, free_w = velocities_without(problem)
+    clear(problem.p)
+    recomputed(problem, free_v, free_w)
+    return solve_with_leaps(limits, problem, fewest, tolerance, place)
 
 
 @called

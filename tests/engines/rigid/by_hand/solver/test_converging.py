@@ -151,22 +151,25 @@ def told_by(
     apart: int,
     leaps: float,
     turns: float,
-    anew: list[float],
+    rounds: list[float],
     first: float = 1.0,
+    anew: float = 9.0,
 ) -> tuple[list[Any], tuple[int, float], Vector]:
     """What `solve_or_retry` tries, its result and impulses; each method adds to the impulses.
 
-    leaps, turns, anew: the residuals that they leave; first: the part of the usual residual that
-    is asked, below 1 in the first step.
+    leaps, turns, rounds: the residuals that they leave, and anew that of leaps from zero impulses;
+    first: the part of the usual residual that is asked, below 1 in the first step.
     """
     said: list[Any] = []
-    left = iter(anew)
+    left = iter(rounds)
 
-    def method(name: str, sweeps: int, more: float, residual: float) -> Any:
+    def method(name: str, sweeps: int, more: float, *residuals: float) -> Any:
+        each = iter(residuals)
+
         def solve(*given: Any) -> tuple[int, float]:
             said.append((name, float(given[1].p[0, 0])))
             given[1].p[:] += more
-            return sweeps, residual
+            return sweeps, next(each)
 
         return solve
 
@@ -180,7 +183,7 @@ def told_by(
         return tolerance
 
     monkeypatch.setattr(many, "band_ordering", lambda *_: (None, apart))
-    monkeypatch.setattr(many, "solve_with_leaps", method("leaps", 7, 1.0, leaps))
+    monkeypatch.setattr(many, "solve_with_leaps", method("leaps", 7, 1.0, leaps, anew))
     monkeypatch.setattr(many, "solve_in_turns", method("turns", 20, 10.0, turns))
     monkeypatch.setattr(many, "solve_chained", method("chained", 30, 1000.0, 9.0))
     monkeypatch.setattr(many, "velocities_without", lambda given: (given.v, given.w))
@@ -226,15 +229,19 @@ def test_contacts_of_many_blocks_are_solved_at_the_address_given(
 
 
 BAD, GOOD = 2.0 * ASKED, 0.9 * ASKED
-LATER = {
-    "leaps": (GOOD, BAD, [], 1, (7, GOOD), 1.5),
-    "turns": (BAD, GOOD, [], 2, (27, GOOD), 10.5),
-    "rounds from the start": (BAD, 2 * BAD, [GOOD], 3, (27, GOOD), 100.5),
-    "rounds from none": (BAD, 2 * BAD, [9.0, GOOD], 4, (27, GOOD), 100.0),
-    "rounds from the best, by leaps": (BAD, 2 * BAD, [9.0, 9.0, GOOD], 5, (27, GOOD), 101.5),
-    "rounds from the best, in turns": (2 * BAD, BAD, [9.0, 9.0, GOOD], 5, (27, GOOD), 110.5),
-    "none, and leaps were best": (BAD, 2 * BAD, [9.0] * 3, 5, (27, BAD), 1.5),
-    "none, and turns were best": (2 * BAD, BAD, [9.0] * 3, 5, (27, BAD), 10.5),
+WORSE = 2.0 * BAD
+LATER = {  # residuals of leaps, of turns, of leaps from zero impulses and of rounds; methods tried
+    "leaps": (GOOD, BAD, BAD, [], 1, (7, GOOD), 1.5),
+    "turns": (BAD, GOOD, BAD, [], 2, (27, GOOD), 10.5),
+    "leaps from none": (BAD, WORSE, GOOD, [], 3, (34, GOOD), 1.0),
+    "rounds from the start": (BAD, WORSE, WORSE, [GOOD], 4, (34, GOOD), 100.5),
+    "rounds from none": (BAD, WORSE, WORSE, [9.0, GOOD], 5, (34, GOOD), 100.0),
+    "rounds from the best, by leaps": (BAD, WORSE, WORSE, [9.0, 9.0, GOOD], 6, (34, GOOD), 101.5),
+    "rounds from the best, in turns": (WORSE, BAD, WORSE, [9.0, 9.0, GOOD], 6, (34, GOOD), 110.5),
+    "rounds from the best, from none": (WORSE, WORSE, BAD, [9.0, 9.0, GOOD], 6, (34, GOOD), 101.0),
+    "none, and leaps were best": (BAD, WORSE, WORSE, [9.0] * 3, 6, (34, BAD), 1.5),
+    "none, and turns were best": (WORSE, BAD, WORSE, [9.0] * 3, 6, (34, BAD), 10.5),
+    "none, and leaps from none were best": (WORSE, WORSE, BAD, [9.0] * 3, 6, (34, BAD), 1.0),
 }
 
 
@@ -242,10 +249,11 @@ LATER = {
 def test_many_blocks_are_solved_by_leaps_then_in_turns_then_by_rounds(
     monkeypatch: pytest.MonkeyPatch, solved_by: str
 ) -> None:
-    leaps, turns, anew, tries, due, impulse = LATER[solved_by]
-    said, result, p = told_by(monkeypatch, CHAIN + 1, leaps, turns, anew)
-    starts = [("leaps", 0.5), ("turns", 0.5), ("newton", 0.5), ("newton", 0.0)]
-    best = ("newton", 1.5 if leaps < turns else 10.5)
+    leaps, turns, anew, rounds, tries, due, impulse = LATER[solved_by]
+    said, result, p = told_by(monkeypatch, CHAIN + 1, leaps, turns, rounds, anew=anew)
+    starts = [("leaps", 0.5), ("turns", 0.5), ("leaps", 0.0), ("newton", 0.5), ("newton", 0.0)]
+    bests = {leaps: 1.5, turns: 10.5, anew: 1.0}
+    best = ("newton", bests[min(leaps, turns, anew)])
     assert said == [*starts, best][:tries]
     assert result == due
     assert (p == impulse).all()
