@@ -40,6 +40,11 @@ FOUND: Table = {
         Row("failure-modes:3d-6", PYBULLET, DEFAULT, "worst", 3.3e-2, 3.6e-2),
         Row("failure-modes:3d-6", PYBULLET, DEFAULT, value("agree"), 20, 20),
     ],
+    "At 5e-5 s and a friction of 20 degrees it tips a block that should stay, half a degree from "
+    "the border": [
+        Row(f"failure-modes:{one}", PYBULLET, None, value("psi=9.7 delta=10.2"), 2, 2)
+        for one in ("2d-20-short", "3d-20-short")
+    ],
     "ten cubes in 10 s by 1e-4 m in LMGC90 and 2e-3 m in PyBullet at 2e-2 s, and twenty by 0.16 "
     "and 0.36 m": [
         Row("standing:stack-10", LMGC90, Knobs(2e-2), "moved", 0.9e-4, 1.3e-4),
