@@ -144,6 +144,7 @@ def _quickest(moved: Vector) -> float:
 def _slipping(p: Parameters) -> Setting:
     """A sphere that starts to slide, in equilibrium on its normal spring."""
     m, sunk = _mass(p), _mass(p) * p["g"] / p["kn"]
+    require_shallow(sunk, p["R"])  # the laws of codes differ by their arms, as far as it sinks
     arm = 1.0 - 0.5 * sunk / p["R"]
     slide = slip_to_roll.Sliding(m, p["kn"], p["mu"], p["g"], p["v"], 1.0 + 2.5 * arm**2)
     sphere = _spheres((p["R"] - sunk,), p, np.array([m]), p["v"])
