@@ -48,6 +48,7 @@ def test_a_killed_invocation_leaves_its_finished_results_usable(tiny: Tiny) -> N
     _wait_until(lambda: log.exists() and len(log.read_text().splitlines()) >= 3)
     kept = tiny.root / ".vv" / "runs"
     _wait_until(lambda: len(list(kept.rglob("*.npz"))) >= 2)  # the third ask hangs
+    _wait_until(lambda: not list((tiny.root / ".vv").rglob(".part-*")))
     process.send_signal(signal.SIGKILL)
     process.wait()
     assert not list((tiny.root / ".vv").rglob(".part-*"))

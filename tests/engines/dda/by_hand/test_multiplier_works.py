@@ -61,20 +61,22 @@ def test_all_work_of_a_contact_but_that_of_friction_is_lost(
     ({}, True), ({"state": STICK}, False), ({"state": STICK, "used": OPEN}, True),
     ({"used": STICK}, True), ({"turned": 0.98 * ALONG}, True), ({"turned": 1.02 * ALONG}, False),
     ({"way": 0.98e-3}, True), ({"way": 1.02e-3}, False), ({"aside": -1.02e-3}, False),
-    ({"lifts": 0.5}, True),
+    ({"lifts": 0.5}, True), ({"held": 0.98 * ALONG}, True), ({"held": -1.02 * ALONG}, False),
+    ({"held": 1.02 * ALONG, "used": OPEN}, True),
 ])  # fmt: skip
 def test_contacts_slip_alike_that_slid_along_a_line_and_go_as_far_along_it(
     change: dict[str, float], alike: bool
 ) -> None:
-    """The first of two does so; the second differs: in its state, direction or way."""
+    """The first of two does so; the second differs: in its state, direction, way or friction."""
     told = {"state": SLIDE, "used": SLIDE, "turned": 0.0, "way": 0.0, "aside": 0.0, "lifts": 0.0}
-    told |= change
-    touch: Any = SimpleNamespace(normal=np.array([UP, UP]))
+    told |= {"held": 0.0, **change}
+    touch: Any = SimpleNamespace(normal=np.array([UP, UP]), push=np.array([7.0, 7.0]))
+    rub = MU * 7.0 * np.array([0.3 * RIGHT, [0.3, told["held"], 0.0]])
     direction = np.array([RIGHT, np.array([1.0, told["turned"], 0.0])])
     relative = np.array([0.2 * RIGHT, [0.2 + told["way"], told["aside"], told["lifts"]]])
     states, used = (np.array([SLIDE, told[name]], int) for name in ("state", "used"))
     before: Any = SimpleNamespace(state=states, direction=direction)
-    trial: Any = SimpleNamespace(used=used, relative=relative)
+    trial: Any = SimpleNamespace(used=used, relative=relative, rub=rub)
     along: Any = tuple(RIGHT)
-    found = slip_alike(touch, before, trial, along, 0.2, 1e-3)
+    found = slip_alike(touch, before, trial, along, 0.2, 1e-3, MU)
     assert found is alike

@@ -86,6 +86,17 @@ def test_a_slide_that_leaves_its_line_is_left_as_it_is(aside: float) -> None:
     closes(thrown_up(SLOPING, 20.6, aside=aside * UP * DT))
 
 
+def test_a_slide_that_passes_close_to_rest_keeps_its_momentum() -> None:
+    """It turns there while friction holds it across its line, for a step in which it sticks.
+
+    As a slide that turns back on its line it would lose that friction: 800 N of 15 kN.
+    """
+    motions = Harmonic(np.full(3, 0.1), np.array([2.0, 0.4, 1.0]), np.full(3, -np.pi / 2))
+    base = dataclasses.replace(FLOOR, motion=motions)
+    scene = Scene((base, box((1.0, 1.0, 1.0), 2500.0)), Contact(math.inf, mu=0.6), gravity=DOWN)
+    closes(run(Ask(scene, History(2.0, 2.0), (Displacement(1),), Knobs(1e-3, 1e8)), BORNE))
+
+
 def test_a_locked_block_over_a_base_that_turns_back_is_left_as_it_is() -> None:
     """No impulse of friction changes its velocity, and its slip is that of the base."""
     motion = Harmonic(np.array([0.5, 0.0, 0.0]), np.ones(3), np.full(3, -np.pi / 2))

@@ -31,15 +31,19 @@ def share_of(along: Triple, bodies: Bodies) -> float:
 
 @lent
 def slip_alike(
-    touch: Touch, before: States, trial: Trial, along: Triple, way: float, least: float
+    touch: Touch, before: States, trial: Trial, along: Triple, way: float, least: float, mu: float
 ) -> bool:
     """Whether all closed contacts slid along a direction, and now slip by `way` [m] along it.
 
-    least: a slip [m] that is taken for none.
+    Nor may friction hold one across it: such a slide passes by rest and turns, instead of turning
+    back. least: a slip [m] that is taken for none.
     """
     used, relative = trial.used, trial.relative
     for k in range(len(used)):
-        n, moves = at(touch.normal, k), at(relative, k)
+        n, moves, rubs = at(touch.normal, k), at(relative, k), at(trial.rub, k)
+        held = add_scaled(rubs, -dot(rubs, along), along)
+        if used[k] != OPEN and dot(held, held) > square_of(ALONG * mu * touch.push[k]):
+            return False
         flat = add_scaled(moves, -dot(moves, n), n)
         aside = add_scaled(flat, -way, along)
         unlike = add_scaled(at(before.direction, k), -1.0, along)
@@ -93,7 +97,8 @@ def turn_slide(
     lost = speed - way / length - held
     if not (0.0 < speed < lost + most and lost > most and share_of(along, bodies) > 1.0 - ALONG):
         return
-    if not slip_alike(touch, before, trial, along, way, ALONG * length * (lost + most)):
+    least = ALONG * length * (lost + most)
+    if not slip_alike(touch, before, trial, along, way, least, law.mu):
         return
     share = 2.0 * speed / (lost + most) - 1.0
     gain = length * (held - most * share)
