@@ -9,8 +9,10 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from cases._papers import LIU_2017
+from cases.bonds.parts._first_to_open import require_opening
 from cases.bonds.parts._quartzite import BRITTLE, slower
 from cases.bonds.parts._specimens import block_of, specimen, viscosity
+from cases.bonds.parts._unit_strengths import element_of
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_strength import first_opening
@@ -63,6 +65,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     quantities: list[Quantity] = [*_balances(way, p, block, held), *_histories()]
     quantities.append(_elastic_energy(p, block, answer.E, HALF * opening))
     if way == "pulled":
+        require_opening(block, answer, element_of(p), 0.0)
         printed = lattice_material.tensile_strength(kn, ks, p["xb"], d)
         strain = 1.1 * opening * answer.E / E
         quantities += _beside_fig_6(variant)

@@ -43,6 +43,10 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
         ("tetrahedral-unit", "gamma-0", {"eta": 20.0}, {"eta": 0.0}, "must be positive: without"),
         ("close-packed-energy", "pulled-82", {}, {"rate": 0.0}, "must be positive where a block"),
         ("close-packed-energy", "pressed-82", {}, {"rate": 0.0}, "negative where it is pressed"),
+        (
+            "close-packed-energy", "pulled-82", {"fs0": 4.2}, {"fs0": 4.1},
+            "bonds slide before the first one opens",
+        ),
         ("close-packed-failure", "82", {}, {"rate": 0.0}, "it must be negative"),
         ("tetrahedral-unit", "pulled", {"kn": 2.3e5}, {"kn": 2e5}, "creeps to rest at 6.27e\\+04"),
         ("masonry", "slides", {"D": 0.12}, {"D": 0.13}, "no longer bears its last stone"),
