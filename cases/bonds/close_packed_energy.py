@@ -10,9 +10,8 @@ import numpy as np
 
 from cases._papers import LIU_2017
 from cases.bonds.parts._first_to_open import require_opening
-from cases.bonds.parts._quartzite import BRITTLE, slower
+from cases.bonds.parts._quartzite import BRITTLE, element_of, slower
 from cases.bonds.parts._specimens import block_of, specimen, viscosity
-from cases.bonds.parts._unit_strengths import element_of
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_strength import first_opening

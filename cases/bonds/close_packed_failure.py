@@ -16,11 +16,10 @@ from cases.bonds.parts._failure_bounds import (
     history_bounds,
     slope_bounds,
 )
-from cases.bonds.parts._quartzite import BRITTLE
+from cases.bonds.parts._quartzite import BRITTLE, element_of
 from cases.bonds.parts._specimens import block_of, on_tops, specimen
 from reference_solutions.bonds import lattice_failure, lattice_material, lattice_strength
 from reference_solutions.bonds.close_packed_lattice import Lattice
-from reference_solutions.bonds.lattice_material import Element
 from reference_solutions.bonds.tetrahedral_unit import sliding_failure
 from vv.ask import History, Knobs, Observable, Reaction, Run
 from vv.case import (
@@ -71,16 +70,12 @@ def _histories(p: Parameters, block: Lattice) -> tuple[lattice_failure.History, 
 
 def _strain_at_sliding(p: Parameters) -> float:
     """The strain, pressing positive, at which inclined bonds slide."""
-    return abs(sliding_failure(_element(p), p["d"]).strain)
+    return abs(sliding_failure(element_of(p), p["d"]).strain)
 
 
 def _apart(p: Parameters) -> float:
     """The strain between two outputs."""
     return BEYOND * _strain_at_sliding(p) / OUTPUTS
-
-
-def _element(p: Parameters) -> Element:
-    return Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
 
 
 def _counts(
@@ -213,7 +208,7 @@ class _Pressed:
     def softer(self) -> float:
         """The exact slope with all level bonds open."""
         p = self.p
-        return lattice_strength.opened_slope(self.block, _element(p), p["d"], self.window())
+        return lattice_strength.opened_slope(self.block, element_of(p), p["d"], self.window())
 
 
 def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:

@@ -11,7 +11,7 @@ import numpy as np
 from cases._papers import LIU_2017
 from cases.bonds.parts import _first_to_open
 from cases.bonds.parts._loading import RATES, at_zero_rate, require_way
-from cases.bonds.parts._quartzite import BRITTLE, KN, M, slower_lattice
+from cases.bonds.parts._quartzite import BRITTLE, KN, M, element_of, slower_lattice
 from cases.bonds.parts._specimens import (
     block_of,
     on_springs,
@@ -21,7 +21,6 @@ from cases.bonds.parts._specimens import (
     yielding,
 )
 from cases.bonds.parts._unit_balance import judged_balance
-from cases.bonds.parts._unit_strengths import element_of
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_strength import first_opening, sliding

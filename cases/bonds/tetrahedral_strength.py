@@ -24,7 +24,7 @@ from cases.bonds.parts._loading import (
     slid,
     tensile_strength,
 )
-from cases.bonds.parts._quartzite import BRITTLE, KN, D, M
+from cases.bonds.parts._quartzite import BRITTLE, KN, D, M, element_of
 from cases.bonds.parts._unit import CORNERS, EDGES
 from cases.bonds.parts._unit_balance import (
     FEW,
@@ -119,7 +119,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _pulled(p: Parameters) -> tuple[float, tuple[Quantity, ...], Scalar]:
     """The strain at which pulled units fail, their strength, and their energy balance."""
     kn, ks, d = p["kn"], p["ks"], p["d"]
-    element = unit_strengths.element_of(p)
+    element = element_of(p)
     opens = tetrahedral_unit.tension_failure(element, d)
     drag = p["eta"] * RATES[0] * abs(p["rate"]) * d * CORNERS[0, 2]  # may shear bonds too
     _require_opening(p, "inclined", ks * abs(opens.x.xs1) + drag)
@@ -137,7 +137,7 @@ def _pulled(p: Parameters) -> tuple[float, tuple[Quantity, ...], Scalar]:
 def _pressed(p: Parameters, step: float) -> tuple[float, tuple[Quantity, ...], Scalar]:
     """The strain at which pressed units fail, their strengths, and their energy balance."""
     kn, ks, xb, d = (p[name] for name in ("kn", "ks", "xb", "d"))
-    element = unit_strengths.element_of(p)
+    element = element_of(p)
     slides = abs(tetrahedral_unit.sliding_failure(element, d).strain)
     opens = abs(tetrahedral_unit.opening_failure(element, d).strain)
     _require_opening(p, "level", 0.0)

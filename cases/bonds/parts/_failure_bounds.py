@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from cases.bonds.parts._quartzite import BRITTLE
+from cases.bonds.parts._quartzite import BRITTLE, element_of
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice
-from reference_solutions.bonds.lattice_material import Element
 from reference_solutions.bonds.tetrahedral_unit import opening_failure
 from vv.ask import Method
 from vv.case import Exact, Parameters, Shown, Tolerance
@@ -79,7 +78,7 @@ def _pace(p: Parameters) -> float:
 
 def _sooner(p: Parameters) -> float:
     """How far below Eq. 8, relative to it, the bonds of a unit open at finite strain."""
-    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
+    element = element_of(p)
     small = lattice_material.opening_strength(*element[:3], p["d"])
     return 1.0 - abs(opening_failure(element, p["d"]).stress) / small
 

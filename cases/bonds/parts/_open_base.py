@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from cases.bonds.parts._loading import RATES, lost
+from cases.bonds.parts._quartzite import element_of
 from cases.bonds.parts._unit import CORNERS
 from reference_solutions.bonds import confined_unit
 from reference_solutions.bonds.confined_unit import Failure
-from reference_solutions.bonds.lattice_material import Element
 from vv.case import Parameters
 
 DELAYED = 0.95  # of the strain at failure under viscosity, since the run goes on beyond
@@ -116,8 +116,7 @@ def remaining(p: Parameters, frequency: float, late: float) -> float:
 
 def under(p: Parameters, load: float) -> Failure:
     """The failure of a unit in equilibrium under inward loads [N] on its base."""
-    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
-    return confined_unit.sliding_failure(element, p["d"], load, overshoot(p))
+    return confined_unit.sliding_failure(element_of(p), p["d"], load, overshoot(p))
 
 
 def hurried(p: Parameters, load: float, failed: Failure) -> float:

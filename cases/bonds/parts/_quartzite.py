@@ -2,6 +2,7 @@
 
 import math
 
+from reference_solutions.bonds.lattice_material import Element
 from vv.case import Parameter, Parameters
 
 KN = Parameter("kn", 46793831.1079, "N/m", "normal stiffness of a bond (Table 1)")
@@ -18,6 +19,11 @@ BRITTLE = (
     D,
     M,
 )
+
+
+def element_of(p: Parameters) -> Element:
+    """The element with the parameters of BRITTLE."""
+    return Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
 
 
 def slower(p: Parameters) -> float:

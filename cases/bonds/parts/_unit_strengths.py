@@ -9,6 +9,7 @@ import numpy as np
 
 from cases.bonds.parts import _detour, _rate_errors
 from cases.bonds.parts import _open_base as open_base
+from cases.bonds.parts._quartzite import element_of
 from cases.bonds.parts._rate_errors import BACK
 from reference_solutions.bonds import tetrahedral_unit
 from reference_solutions.bonds.lattice_material import Element
@@ -25,10 +26,6 @@ class Strength(NamedTuple):
 
     state: State
     bound: float
-
-
-def element_of(p: Parameters) -> Element:
-    return Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
 
 
 def tension(p: Parameters) -> Strength:

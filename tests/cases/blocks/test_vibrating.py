@@ -10,56 +10,22 @@ import pytest
 
 from cases.blocks.parts._vibrating import Onset
 from reference_solutions.blocks import incline
+from tests.scenes.blocks.block_on_spring import frequency, slid, slope
 from vv.ask import Knobs, Method
 from vv.plan.project import find
 
 CASE = find().load_case("incline")
-SHEAR, MASS = 25.0, 2500.0  # ks over kn of the stand-in of a block, kg
 TURNED = {"alpha": 22.28, "phi": 28.53, "A": 4.73, "f": 3.2, "Ay": 0.53, "fy": 0.53, "g": 6.65}
 STEEP = {"alpha": 47.96, "phi": 51.94, "A": 3.78, "f": 1.04, "Ay": 2.15, "fy": 2.75}
 FLAT = {"alpha": 11.98, "phi": 16.62, "A": 3.41, "f": 2.74, "Ay": 2.67, "fy": 1.07}
 OPPOSED = {"alpha": 28.78, "phi": 42.48, "A": 5.94, "f": 0.51, "Ay": 0.34, "fy": 1.88, "g": 5.13}
 
 
-def _slid(
-    w: float,
-    until: float,
-    pull: float,
-    held: float,
-    along: tuple[float, float],
-    aside: tuple[float, float],
-    tilt: tuple[float, float, float],
-) -> tuple[float, float]:
-    """Where a mass on a spring whose load friction limits is at last, in steps of w dt = 0.0125.
-
-    pull, held: weight and friction at rest; tilt: cos, sin of the dip, and mu.
-    """
-    dt, (ca, sa, mu) = 0.0125 / w, tilt
-    x, y, vx, vy, sx, sy = 0.0, 0.0, 0.0, 0.0, pull / w**2, 0.0
-    for step in range(round(until / dt)):
-        t = step * dt
-        shaking = along[0] * np.sin(2 * np.pi * along[1] * t)
-        over = w * w * np.hypot(sx, sy) / (held - mu * shaking * sa)
-        if over > 1:
-            sx, sy = sx / over, sy / over
-        vx += dt * (pull + shaking * ca - w * w * sx)
-        vy += dt * (aside[0] * np.sin(2 * np.pi * aside[1] * t) - w * w * sy)
-        x, y, sx, sy = x + dt * vx, y + dt * vy, sx + dt * vx, sy + dt * vy
-    return x, y
-
-
-slid: Any = numba.njit(_slid)
-
-
 def over_bound(given: dict[str, float], kn: float) -> float:
     """The error of the last place over the bound at a stiffness and a step of no length."""
     p = {**CASE.defaults("two-directions"), "duration": 4.0, **given}
-    dip, mu = np.radians(p["alpha"]), np.tan(np.radians(p["phi"]))
-    weight = p["g"] * np.sin(dip), mu * p["g"] * np.cos(dip)
-    tilt = float(np.cos(dip)), float(np.sin(dip)), float(mu)
-    ends = p["duration"], *(float(one) for one in weight)
-    w = np.sqrt(SHEAR * kn / MASS)
-    place = np.array(slid(w, *ends, (p["A"], p["f"]), (p["Ay"], p["fy"]), tilt))
+    on, shaken = slope(p["alpha"], p["phi"], p["g"]), ((p["A"], p["f"]), (p["Ay"], p["fy"]))
+    place = np.array(slid(frequency(kn), 0.0125, p["duration"], 0.0, on, *shaken))
     drive = {"ax": p["A"], "fx": p["f"], "ay": p["Ay"], "fy": p["fy"]}
     law = {name: p[name] for name in ("alpha", "phi", "g")}
     path = incline.two_directions(np.linspace(0.0, p["duration"], 401), **drive, **law)
