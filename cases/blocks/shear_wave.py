@@ -105,26 +105,16 @@ def _layer_series(
     motion.
     """
     H, c, D, F = p["H"], speed(p), p["D"], p["F"]
-    place = {"number": number, "layers": layers}
-    y = (number - 0.5) * H / layers
+    y, place = (number - 0.5) * H / layers, {"number": number, "layers": layers}
     path = functools.partial(shear_wave.displacement, y=y, height=H, c=c, D=D, F=F)
     chain = functools.partial(
         shear_wave.layered_displacement, number=number, layers=layers, height=H, c=c, D=D, F=F
     )
-    wave = path(times)
-    largest = float(np.abs(wave).max())
+    passed, layered = path(times), chain(times)
+    largest = float(np.abs(passed).max())
     strain = 2 * math.pi * F * largest / c
-    if not strain < LARGE:
-        raise ValueError(
-            f"D = {D!r} m; layers shear by about {strain:.2g}, and only below {LARGE:g} is the "
-            "wave equation linear"
-        )
-    own = float(np.abs(chain(times) - wave).max()) / largest
-    if not own < THICK:
-        raise ValueError(
-            f"F = {F!r} Hz; layers that shear uniformly differ from the wave "
-            f"by {own:.2g}, more than {THICK:g}"
-        )
+    own = float(np.abs(layered - passed).max()) / largest
+    _require_linear_and_thin(p, strain, own)
 
     def growth(dt: float) -> float:
         """The error that steps cause in the exact answer, over the step [1/s]."""
@@ -135,7 +125,7 @@ def _layer_series(
     coarse, fine = growth(COARSE), growth(COARSE / 2)
     late = max(coarse, 2 * fine - coarse)
     soft = chain(times, c=c * math.sqrt(1.0 - given))
-    yields = float(np.abs(soft - chain(times)).max()) / largest + strain
+    yields = float(np.abs(soft - layered).max()) / largest + strain
 
     def series(name: str, what: str, due: Callable[[Vector], Vector], judge: Exact) -> Series:
         return Series(
@@ -148,6 +138,24 @@ def _layer_series(
         series(f"{name} of layers", ", against the exact answer of the layers", chain,
                _bounds(yields, late, OWN)),
     )  # fmt: skip
+
+
+def _require_linear_and_thin(p: Parameters, strain: float, own: float) -> None:
+    """Raise ValueError where layers shear too much, or are too thick for the wave.
+
+    own: what layers that shear uniformly differ from the wave, over its largest motion.
+    """
+    D, F = p["D"], p["F"]
+    if not strain < LARGE:
+        raise ValueError(
+            f"D = {D!r} m; layers shear by about {strain:.2g}, and only below {LARGE:g} is the "
+            "wave equation linear"
+        )
+    if not own < THICK:
+        raise ValueError(
+            f"F = {F!r} Hz; layers that shear uniformly differ from the wave "
+            f"by {own:.2g}, more than {THICK:g}"
+        )
 
 
 def _bounds(bound: float, late: float, reason: str) -> Exact:

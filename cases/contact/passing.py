@@ -19,6 +19,7 @@ from vv.case import (
     Motion,
     Parameter,
     Parameters,
+    Series,
     Source,
     Tolerance,
     Trial,
@@ -43,6 +44,24 @@ SIDES = np.array([1.0, -1.0])
 def _declare(variant: str, p: Parameters) -> Trial:
     _require_shallow(p)
     reach = RADIUS[MIDDLE] + RADIUS[[HELD, END]] - p["overlap"]
+    path, goal = _path(p, reach), History(p["duration"], p["duration"] / 40)
+    _require_stick(p, path)
+    unit, error = math.sqrt(p["m"] / p["ks"]), _error(p)
+    parts = 1 << max(0, math.ceil(math.log2(error / LARGEST_TOLERANCE) / 2))
+    coarsest = min(
+        COARSEST / parts * unit, COARSEST * math.sqrt(STIFFER * p["m"] / p["kn"]), goal.interval
+    )
+    _require_few(p["duration"] / coarsest, p["duration"])
+    judge = _judge(error * (coarsest / (COARSEST * unit)) ** 2, coarsest)
+    rungs = tuple(Knobs(coarsest / 2**i) for i in range(4))
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    seen = tuple(Displacement(3 * k + body) for k in (0, ROWS - 1) for body in (MIDDLE, END))
+    study = Ladder(_scene(p, reach), goal, seen, levels)
+    return Trial(study, _quantities(path, goal.times(None), judge))
+
+
+def _scene(p: Parameters, reach: Vector) -> Scene:
+    """The rows, whose outer spheres lie at distances `reach` from the middle, and the passer."""
     row = np.outer([0.0, *(SIDES * reach)], X)
     place = np.concatenate([row + k * APART * Z for k in range(ROWS)])
     thrown = np.append(np.outer(LESS, p["v"] * THROWN), LONG / p["duration"])
@@ -51,46 +70,45 @@ def _declare(variant: str, p: Parameters) -> Trial:
         p["m"] * np.append(np.tile(MASS, ROWS), 1.0),
         np.outer([*[True, False, True] * ROWS, True], Y > 0),
     )  # fmt: skip
-    scene = Scene((spheres,), Contact(p["kn"], p["ks"], p["mu"]))
-    path = _path(p, reach)
+    return Scene((spheres,), Contact(p["kn"], p["ks"], p["mu"]))
+
+
+def _require_stick(p: Parameters, path: Callable[[Vector], Vector]) -> None:
+    """Raise ValueError where contacts come near to slip."""
     swings = np.abs(np.diff(path(np.linspace(0.0, p["duration"], 500)), axis=1)).max()
     if p["ks"] * swings > 0.5 * p["mu"] * p["kn"] * p["overlap"]:
         raise ValueError(f"v = {p['v']!r} m/s; it is so large that the contacts nearly slip")
-    goal = History(p["duration"], p["duration"] / 40)
-    times, swung = goal.times(None), float(np.sqrt(p["ks"] / p["m"]) * p["duration"])
-    error = EARLY + 2.8e-4 * swung
-    parts = 1 << max(0, math.ceil(math.log2(error / LARGEST_TOLERANCE) / 2))
-    unit = math.sqrt(p["m"] / p["ks"])
-    coarsest = min(
-        COARSEST / parts * unit, COARSEST * math.sqrt(STIFFER * p["m"] / p["kn"]), goal.interval
-    )
-    _require_few(p["duration"] / coarsest, p["duration"])
-    second = Tolerance(
-        max(error * (coarsest / (COARSEST * unit)) ** 2, ROUNDED),
-        AHEAD,
-        dt=coarsest,
-        order=2,
-        floor=ROUNDED,
-    )
-    judge = Exact(
+
+
+def _error(p: Parameters) -> float:
+    """The error of a leapfrog whose step is COARSEST in units of sqrt(m/ks)."""
+    return EARLY + 2.8e-4 * float(np.sqrt(p["ks"] / p["m"]) * p["duration"])
+
+
+def _judge(error: float, coarsest: float) -> Exact:
+    """A leapfrog may be off by `error` at the longest step, `coarsest` [s]."""
+    second = Tolerance(max(error, ROUNDED), AHEAD, dt=coarsest, order=2, floor=ROUNDED)
+    return Exact(
         {Method.LEAPFROG: second, Method.LATE_LEAPFROG: second},
         not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS),
     )
 
+
+def _quantities(
+    path: Callable[[Vector], Vector], times: Vector, judge: Exact
+) -> tuple[Series, ...]:
+    """The displacements of two spheres in the first row and in the last."""
+
     def one(body: int, less: float) -> Callable[[Vector], Vector]:
         return lambda t: less * path(t)[:, body, None]
 
-    quantities = tuple(
+    return tuple(
         Motion(Displacement(3 * k + body), Y[None], one(body, LESS[k]), times, "m").component(
             0, f"{name}{k}", f"displacement of the sphere {where} of row {k}", judge
         )
         for k in (0, ROWS - 1)
         for body, name, where in ((MIDDLE, "middle", "in the middle"), (END, "end", "at the end"))
     )
-    rungs = tuple(Knobs(coarsest / 2**i) for i in range(4))
-    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
-    seen = tuple(Displacement(3 * k + body) for k in (0, ROWS - 1) for body in (MIDDLE, END))
-    return Trial(Ladder(scene, goal, seen, levels), quantities)
 
 
 def _require_shallow(p: Parameters) -> None:

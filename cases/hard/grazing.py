@@ -46,10 +46,15 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for level, rungs in LEVELS.items()
     }
     limit = p["mu"] * p["kn"] * closed.overlap(**own) / p["ks"]
+    return Trial(Ladder(scene, goal, (SPHERE,), levels), _quantities(scene.axes[1], limit))
+
+
+def _quantities(along: Vector, limit: float) -> tuple[Count, Scalar]:
+    """The slips of a sphere that moves `along` a direction, whose spring stretches to limit [m]."""
 
     def steps(run: Run) -> Vector:
         """The shift of the centre of each oscillation from the one before, over the limit."""
-        middles = list(_centres(run.values[SPHERE] @ scene.axes[1]))
+        middles = list(_centres(run.values[SPHERE] @ along))
         return np.asarray(np.abs(np.diff([0.0, *middles])) / limit)
 
     slips = Count(
@@ -80,7 +85,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         scale=1.0,
         judge=Shown("the displacement by spurious slips; there is none in the exact motion"),
     )
-    return Trial(Ladder(scene, goal, (SPHERE,), levels), (slips, crept))
+    return slips, crept
 
 
 def _swings(p: Parameters) -> float:

@@ -43,12 +43,7 @@ def accepted(
     given = [r for r in records if r.case == case]
     old = baseline or Baseline(case)
     number = str(1 + max(map(int, old.acceptances), default=0))
-    absent = {r.label for r in given if r.status is Status.NOT_INSTALLED}
-    results = {
-        name: result
-        for name, result in old.results.items()
-        if name in later or name.split(" ")[1] in absent
-    }
+    results = _kept(old, given, later)
     again: dict[str, list[AcceptedResult]] = {}
     for record in (r for r in nudged if r.case == case):
         again.setdefault(name_of(record), []).append(result_of(record, number))
@@ -67,6 +62,16 @@ def accepted(
         {name: parameters[name] for name in sorted(variants)},
         results,
     )
+
+
+def _kept(old: Baseline, given: list[Record], later: Collection[str]) -> dict[str, AcceptedResult]:
+    """Accepted results of codes that are not installed, and those that only a higher level runs."""
+    absent = {record.label for record in given if record.status is Status.NOT_INSTALLED}
+    return {
+        name: result
+        for name, result in old.results.items()
+        if name in later or name.split(" ")[1] in absent
+    }
 
 
 def _counts_of(records: Iterable[Record]) -> set[tuple[str, str]]:

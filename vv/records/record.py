@@ -78,7 +78,15 @@ def measured(
         judge = shown_if_wide(judge, method, knobs)
     if isinstance(quantity, Scalar) and not quantity.is_reported(run):
         judge = NOT_REPORTED
-    norm, tolerance, why = _bound(judge, method, knobs, modified or chosen)
+    made, arrays = _found(run, quantity, judge, method, knobs, modified or chosen)
+    return dataclasses.replace(made, verdict=_verdict(quantity, judge, made)), arrays
+
+
+def _found(
+    run: Run, quantity: Quantity, judge: Judge, method: Method, knobs: Knobs, uncut: bool
+) -> tuple[MeasuredQuantity, Mapping[str, Vector]]:
+    """The quantity before its verdict, and the arrays of its series. uncut: see `_bound`."""
+    norm, tolerance, why = _bound(judge, method, knobs, uncut)
     found = _figures(run, quantity, judge, method)
     made = MeasuredQuantity(
         name=quantity.name,
@@ -99,7 +107,7 @@ def measured(
         measurement=_measurement(judge),
         printed=_printed(judge),
     )
-    return dataclasses.replace(made, verdict=_verdict(quantity, judge, made)), found.arrays
+    return made, found.arrays
 
 
 def _bound(
