@@ -6,9 +6,8 @@ import functools
 import math
 from collections.abc import Callable
 
-import numpy as np
-
 from cases._papers import LI_2018
+from cases.contact.parts import _bouncing_bounds as bounds
 from cases.contact.parts._bouncing import (
     GOAL,
     coarsest_step,
@@ -39,7 +38,6 @@ from vv.case import (
 from vv.scene import Scene, Vector
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
-Why = tuple[str, str] | tuple[()]  # why the bounds of second and of first order
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -54,7 +52,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if alone:
         seen: tuple[Displacement, ...] = (Displacement(1),)
         motion = _motion(seen[0], scene, 3, functools.partial(floor_path, p))
-        step /= _parts(_ends(motion, step, p), _late(motion, step, p))
+        step /= _parts(
+            bounds.error_of_ends(motion, step, p), bounds.error_of_late_weight(motion, step, p)
+        )
         quantities = _sphere_quantities(motion, step, p, own=p == CASE.defaults(variant))
     else:
         seen = (Displacement(0), Displacement(1))
@@ -83,17 +83,19 @@ def _sphere_quantities(
     motion: Motion, step: float, p: Parameters, own: bool
 ) -> tuple[Quantity, ...]:
     """own: whether the parameters are the case's, at which errors of contacts partly cancel."""
-    arm = 2 * _closing(p) * math.sqrt(mass_of(p, p["r1"]) / p["kn"]) / p["r1"]
-    ends, late = _ends(motion, step, p), _late(motion, step, p)
+    arm = 2 * bounds.closing_speed(p) * math.sqrt(mass_of(p, p["r1"]) / p["kn"]) / p["r1"]
+    ends, late = bounds.error_of_ends(motion, step, p), bounds.error_of_late_weight(motion, step, p)
     rises = (2e-4 if own else max(2e-4, ends)) + arm
-    up = _judge(step, rises, rises + late, arm)
+    up = bounds.judge(step, rises, rises + late, arm)
     rubs = min(2 * p["mu"], 1.0)  # twice mu where friction also rotates the sphere
-    jump, order = _released(p, mass_of(p, p["r1"]), step * _left_on_floor(p), ends * _way(motion))
-    rubbed = max(2e-4, rubs * ends) + jump / _way(motion) + arm
-    delayed = max(rubs * late, _rubbing(p) * step / 2 / _way(motion))
-    along = _judge(step, rubbed, rubbed + delayed, arm, order=order)
+    jump, order = bounds.released(
+        p, mass_of(p, p["r1"]), step * bounds.left_on_floor(p), ends * bounds.farthest(motion)
+    )
+    rubbed = max(2e-4, rubs * ends) + jump / bounds.farthest(motion) + arm
+    delayed = max(rubs * late, bounds.rubbing(p) * step / 2 / bounds.farthest(motion))
+    along = bounds.judge(step, rubbed, rubbed + delayed, arm, order=order)
     both = math.hypot(rises, rubbed), math.hypot(rises + late, rubbed + delayed)
-    apart = along if own else _judge(step, *both, arm, order=order)
+    apart = along if own else bounds.judge(step, *both, arm, order=order)
     ways = (
         ("x", "along the throw", along),
         ("y", "horizontally, across the throw", NOWHERE),
@@ -106,116 +108,25 @@ def _sphere_quantities(
     return (*parts, motion.distance(apart))
 
 
-def _ends(motion: Motion, step: float, p: Parameters) -> float:
-    """The largest error by ends of contacts within steps [s], over the displacement.
-
-    A leapfrog conserves v^2/2 + k^2 x x*/2, x and x* the overlaps before and after a step. In the
-    steps in which a contact begins and ends, x x* is between -(v dt)^2/4 and 0: a contact changes
-    the speed by up to (k dt)^2/8 of it, for the time that is left.
-    """
-    speed = _closing(p) * p["kn"] / mass_of(p, p["r1"]) * step**2 / 8
-    return speed * _left_on_floor(p) / _way(motion)
-
-
-def _left_on_floor(p: Parameters) -> float:
-    """The time that is left after a contact with the floor closes, summed over all [s]."""
-    return _left(p, p["g"], _closing(p), math.sqrt(p["kn"] / mass_of(p, p["r1"])))
-
-
-def _left(p: Parameters, pull: float, closing: float, swing: float) -> float:
-    """The time that is left after a contact closes, summed over all [s].
-
-    pull: what presses the bodies together [m/s2]; closing: the speed at which they meet [m/s];
-    swing: the rate of the contact [1/s].
-    """
-    first = 2 * p["gap"] / (closing + p["v_n"])
-    apart = max(np.pi / swing, 2 * closing / pull if pull > 0 else GOAL.duration)
-    return float((GOAL.duration - np.arange(first, GOAL.duration, apart)).sum())
-
-
-def _late(motion: Motion, step: float, p: Parameters) -> float:
-    """The error of a weight that acts half a step [s] late or early, over the displacement.
-
-    It changes the speed at the start by g dt/2. All happens up to dt/2 earlier or later, at speeds
-    of at most sqrt(c^2 + g^2/k^2) and v + g T, and the speed c of impact changes by g dt/2 v/c, for
-    the whole time T; so do the durations of all flights, which are as c: that is as much again.
-    """
-    closing, pressed = _closing(p), p["g"] * math.sqrt(mass_of(p, p["r1"]) / p["kn"])
-    fastest = min(math.hypot(closing, pressed), p["v_n"] + p["g"] * GOAL.duration)
-    faster = p["g"] * step / 2 * p["v_n"] / closing
-    return (fastest * step / 2 + 2 * faster * GOAL.duration) / _way(motion)
-
-
-def _rubbing(p: Parameters) -> float:
-    """The largest change [m/s] of the speed along the floor.
-
-    Friction is at most mu times a normal force, whose impulse over the mass is g T and, as the
-    sphere comes and goes, twice the speed at which it meets the floor. It does not do more than
-    turn round the slip, of which 2/7 is the motion of the centre.
-    """
-    pushed = p["g"] * GOAL.duration + 2 * _closing(p)
-    return min(p["mu"] * pushed, 4 / 7 * _slip(p))
-
-
-def _slip(p: Parameters) -> float:
-    """The largest slip at the start [m/s]."""
-    return abs(p["v_t"]) + abs(p["r1"] * p["w1"]) + abs(p["r2"] * p["w2"])
-
-
-def _closing(p: Parameters) -> float:
-    """The speed [m/s] at which the sphere meets the floor."""
-    return math.sqrt(p["v_n"] ** 2 + 2 * p["g"] * p["gap"])
-
-
-def _way(motion: Motion) -> float:
-    """The largest displacement [m]."""
-    return float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
-
-
 def _pair_quantities(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantity, ...]:
     quantities: list[Quantity] = []
     for n, motion in enumerate(motions, 1):
-        second, first = _pair_errors(p, n, step)
-        way = _way(motion)
+        second, first = bounds.pair_errors(p, n, step)
+        way = bounds.farthest(motion)
         # Only friction acts across the line of centres: mu times the normal force, twice if it
         # rotates. While the spheres stick, shear springs swing with kt^2 = 3.5 ks/m and a velocity
         # of up to mu v k/kt: an error of the phase of (kt dt)^2/24 times kt, for a time of pi/k.
         rubs = max(min(2 * p["mu"], 1.0), math.pi / 6 * p["mu"] * 3.5 * p["ks"] / p["kn"])
         for i, (axis, how, part) in enumerate(PARTS):
             share = rubs**part / way
-            jump, order = _released(p, mass_of(p, p[f"r{n}"]), step * GOAL.duration, second)
+            jump, order = bounds.released(p, mass_of(p, p[f"r{n}"]), step * GOAL.duration, second)
             worst = second * share + part * jump / way + ROUNDED
-            judge = _judge(step, worst, first * share + worst, why=OF_PAIR, order=order * part or 2)
+            judge = bounds.judge(
+                step, worst, first * share + worst, why=bounds.OF_PAIR, order=order * part or 2
+            )
             what = f"displacement of sphere {n} {how}"
             quantities.append(motion.component(i, f"{axis}{n}", what, judge))
     return tuple(quantities)
-
-
-def _pair_errors(p: Parameters, n: int, step: float) -> tuple[float, float]:
-    """Errors of the displacement [m] by ends of contacts within steps [s], and by a late load.
-
-    Where the load lets the spheres meet again and again, the changes of speed by all contacts add.
-    """
-    light = 1 / mass_of(p, p["r1"]), 1 / mass_of(p, p["r2"])
-    pull, share = p["load"] * sum(light), light[n - 1] / sum(light)
-    closing = np.sqrt(p["v_n"] ** 2 + 2 * pull * p["gap"])
-    square = p["kn"] * sum(light)
-    left = max(2 * GOAL.duration, _left(p, pull, closing, math.sqrt(square)))
-    second = float(closing * square * step**2 / 8) * share * left
-    return second, pull * step / 2 * share * GOAL.duration
-
-
-def _released(p: Parameters, mass: float, late: float, second: float) -> tuple[float, int]:
-    """The error [m] by the last slip before bodies part, and its order.
-
-    A shear force F falls to zero with mu kn U: an error of mu times `second`, that of the normal
-    force. Where it falls within less than a step, it ends anywhere in that and changes the speed by
-    up to F dt/m; F is at most what springs make of all slip at the start, s sqrt(ks m/3.5), and
-    less where both bodies move. late: dt times the time that is left [s2].
-    """
-    jump = _slip(p) * math.sqrt(p["ks"] / (3.5 * mass)) * late
-    resolved = max(p["mu"] - 1.0, 0.0) * second
-    return (resolved, 2) if resolved < jump else (jump, 1)
 
 
 def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
@@ -224,40 +135,6 @@ def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
     return {Level.QUICK: coarse, Level.DEFAULT: (*coarse, rungs[3]), Level.PAPER: rungs}
 
 
-def _judge(
-    step: float, second: float, first: float, arm: float = 0.0, why: Why = (), order: int = 2
-) -> Judge:
-    """second, first: bounds at the coarsest step [s]; arm: the effect of U/(2 r) on the force."""
-    rubbed, late = why or ON_FLOOR
-    return Exact({
-        Method.EXACT: Tolerance(
-            1e-11,
-            "two independent routes to the answer agree to 1e-12, over a dozen located events",
-        ),
-        Method.SECOND_ORDER: Tolerance(second, rubbed, dt=step, order=order, floor=arm),
-        Method.FIRST_ORDER: Tolerance(first, late, dt=step, order=1),
-    })  # fmt: skip
-
-
-ON_FLOOR = (
-    "a contact lasts for more than a hundred steps: an error of (k dt)^2/24 = 3e-5 for its "
-    "oscillation, and as much for each of its ends and for those of slip, over four bounces. At "
-    "most (k dt)^2/8 of the speed is lost or gained in a contact, for the time that is left, and "
-    "friction turns this into tangential speed. Codes differ in the arm of the shear force, r - "
-    "U/2 or r, with U/r = 1e-5",
-    "weight and load act half a step late at the start: this changes the speed v of the first "
-    "impact by g dt/2v, 6e-5, and everything after it by as much; speeds along the floor are late "
-    "by as much",
-)
-OF_PAIR = (
-    "each end of a contact falls within a step, and costs up to (k dt)^2/8 of the closing speed, "
-    "k^2 = kn (1/m1 + 1/m2); the errors of both ends of one contact may add, for the whole time, "
-    "and those of all contacts, for the time that is left after each. "
-    "Across the line of centres it is the part by friction or, if that is more, pi/24 (kt dt)^2 mu "
-    "of the closing speed by the phase of shear springs, kt^2 = 3.5 ks (1/m1 + 1/m2)",
-    "the load acts half a step late at the start: the closing speed is too small by a dt/2 for the "
-    "whole time, a = P (1/m1 + 1/m2)",
-)
 ROUNDED = 1e-11  # of the displacement: rounding errors where nothing pushes
 PARTS = (("x", "along the initial line of centres", 0), ("y", "across that line", 1))
 NOWHERE: Judge = Exact(dict.fromkeys(
