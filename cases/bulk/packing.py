@@ -38,7 +38,7 @@ GOAL = History(2.4, 0.15)
 FADES, SINKS = 0.05, 0.49  # m/eta [s] and m g/eta [m/s] up to and from which that is long enough
 SOFT = 200  # radius over the deepest overlap of a pack that is still one of hard spheres
 STEP, OWN = 5e-5, 1e-7  # s, and the m/kn [s2] above which it is as long
-LONGEST = 100.0  # times GOAL: some ten seconds of calculation
+LONGEST = 30.0  # times GOAL: a minute of calculation in the slowest codes
 SEEDS = (1, 2, 3)
 FINE, COARSE = 1e-4, 0.2  # units of rounding: parts of the weight and the radius, and contacts
 

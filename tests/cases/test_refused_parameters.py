@@ -52,7 +52,7 @@ PROJECT = find()
         ("masonry", "rest", {"mu": 0.3085}, "whatever the thrust of the arch, a joint slides"),
         ("masonry", "slides", {"courses": 13, "mu": 0.481}, "the wall does not move as one block"),
         ("packing", "seed-1", {"eta": 0.0}, "eta = 0.0 N s/m; without drag nothing"),
-        ("packing", "seed-1", {"eta": 1e300}, "to come to rest; at most 240 s are run"),
+        ("packing", "seed-1", {"eta": 1e300}, "to come to rest; at most 72 s are run"),
         ("packing", "seed-1", {"eta": 1e-9}, "takes 4.8e\\+08 s to come to rest"),
         ("bounce", "floor", {"r1": 1e-4}, "steps that resolve a contact are 2.28e\\+09; at most"),
         ("bounce", "pair", {"gap": 3e-3}, "gap = 0.003 m, v_n = 0.04 m/s; the spheres must meet"),

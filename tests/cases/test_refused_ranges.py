@@ -89,6 +89,7 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
          "below 0.75 rad"),
         ("single-contact", "T3", {"mu": 1.9e10}, {"mu": 2.1e10}, "an overlap so small is lost"),
         ("wedge", "xi-1", {"xi": 1.57}, {"xi": 1.58}, "it must be below pi/2"),
+        ("packing", "seed-1", {"g": 0.33}, {"g": 0.32}, "to come to rest; at most 72 s are run"),
         ("shear-wave", "5", {"F": 7.0}, {"F": 7.2}, "from the wave by 0.084, more than 0.08"),
         ("close-packed-path", "in-82", {"strain": 1.1e-6}, {"strain": 9e-7}, "from 1e-6 to 5e-3"),
         ("close-packed-path", "in-82", {"strain": -4.9e-3}, {"strain": -5.1e-3}, "to 5e-3"),
