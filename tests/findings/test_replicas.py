@@ -78,6 +78,13 @@ FOUND: Table = {
         Row("laden-block:turning", LAGGED, Knobs(2.5e-4, 1e9), "slip", 0.0275, 0.0285),
         Row("laden-block:turning", LAGGED, Knobs(2.5e-4, 1e9), "slipping", 0.0225, 0.0235),
     ],
+    "takes 4.4e-3 of the speed from a plate that may rotate and is thrown along its slope at 22 "
+    "m/s, in the first step of 1e-3 s on 1e8 N/m": [
+        Row("laden-block:turning v=22", PUBLISHED, SOFT, "slipping", 4.3e-3, 4.5e-3),
+    ],
+    "At 20 m/s its slip is right to 3e-5": [
+        Row("laden-block:turning v=20", PUBLISHED, SOFT, "slip", 1e-7, 3e-5),
+    ],
     "it falls three times as fast or more": [
         Row("standing:arch-thin", LAGGED, THIN, most("dda", error("sunk")), 1.9, 99),
     ],
