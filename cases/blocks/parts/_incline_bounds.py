@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 
+from cases.blocks.parts import _reversing
 from cases.blocks.parts._vibrating import slips_on
 from reference_solutions.blocks import incline
 from vv.ask import Knobs, Method
@@ -14,7 +15,7 @@ from vv.case import Exact, Parameters, Tolerance
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
 STEP = 1e-3  # s
 SPRING, MASS = 1e8, DENSITY * SIDE**2  # N/m, kg
-ONE_WAY, CORNERS, REVERSED = 3.0, 7.0, 0.08  # CORNERS is for a plate with a spring at each corner
+ONE_WAY, CORNERS = 3.0, 7.0  # CORNERS is for a plate with a spring at each corner
 ROUNDED = (
     "forces are constant and springs start charged, so that no slip begins or ends: the answer is "
     "a parabola, and only rounding errors of up to 100 000 steps remain"
@@ -240,13 +241,16 @@ def _start_error(p: Parameters) -> float:
 
 def _turning(p: Parameters) -> Tolerance:
     """For a block that slips downhill and uphill in turn."""
-    delayed = _friction(p) * p["duration"] * np.sqrt(MASS / SPRING) / _largest_slip(p)
+    motion, largest = _reversing.phases(p), _largest_slip(p)
     return Tolerance(
-        max(float(REVERSED * delayed), 1e-9),
-        "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m; over the duration T "
-        f"the delays add up to {REVERSED:g} mu N T/(m w)",
-        kn=SPRING,
-        softness=0.5,
+        1e-9,
+        "springs and whole steps change the speed at each reversal, at each stop and where slip "
+        "begins, and at the next reversal friction takes a part of that back: the shear spring is "
+        "bent from one side to the other, or throws back a block that comes to rest; the block "
+        "vibrates across the plane with q/(1 - q^2) of what shaking of frequency q w presses, and "
+        "sinks. Where it lifts off, nothing is known",
+        late=_reversing.in_steps(motion) / largest,
+        more=lambda kn: _reversing.on_springs(motion, p, kn / MASS) / largest,
     )
 
 
