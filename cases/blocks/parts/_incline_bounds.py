@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -120,7 +121,8 @@ def in_two_directions(p: Parameters, swept: bool, slid: float) -> tuple[Exact, E
             more=slips_on(p, MASS, slid),
         )
     )
-    rigid = {Method.SECOND_ORDER: _rotating(p, swept, slid), Method.FIRST_ORDER: _half_steps(p)}
+    first = _turned_late(p, slid)
+    rigid = {Method.SECOND_ORDER: _rotating(p, swept, slid), Method.FIRST_ORDER: first}
     both = {**springs, **rigid}
     aside = {m: dataclasses.replace(one, slack=one.slack or ASIDE) for m, one in both.items()}
     return Exact(both), Exact(aside)
@@ -136,6 +138,17 @@ def _half_steps(p: Parameters) -> Tolerance:
         "late, at the speed that shaking gives",
         late=1.2 * (1 / p["duration"] + float(speed) / _largest_slip(p)),
         slack="a scheme that starts in the middle of a step follows a parabola to rounding",
+    )
+
+
+def _turned_late(p: Parameters, slid: float) -> Tolerance:
+    """For rigid contact of first order in two directions, where friction turns late."""
+    late, turned = _half_steps(p), functools.cache(lambda: _reversing.turned(p))
+    return dataclasses.replace(
+        late,
+        reason=f"{late.reason}. Where slip turns, friction turns half a step later: F u'/2 of the "
+        "step goes to the speed in a second, F u friction, which takes back what is across slip",
+        least=lambda dt: 1.2 * dt * (1 / p["duration"] + turned() / slid),
     )
 
 

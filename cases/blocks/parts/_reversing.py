@@ -1,6 +1,7 @@
-"""A block on springs that slips downhill and uphill in turn: what springs and steps delay adds up.
+"""A block that slips downhill and uphill in turn, or turns: what springs and steps delay adds up.
 
-T is the force along the plane and F the friction, over the mass. An error dv of the speed moves the
+Where slip turns, friction is late by half a step: see `turned`. Downhill and uphill, on springs, T
+is the force along the plane and F the friction, over the mass. An error dv of the speed moves the
 next reversal of slip by dv/(|T| + F), and from there on the speed changes by |T| - F: what is left
 of it is dv (|T| - F)/(|T| + F). Until then the displacement errs by dv times the time. To dv add
 
@@ -27,9 +28,12 @@ import numpy as np
 from cases.blocks.parts._vibrating import SHEAR
 from reference_solutions.blocks import incline
 from vv.case import Parameters
+from vv.scene import Vector
 
 STRETCHES = 3.0  # of the shear spring by which a block that comes to rest is displaced
 LIFTED = np.inf  # an error that is not bounded
+FINE, NEAR = 200.0, 1e-6  # samples of a period of the faster sine, and the distance of two of them
+RESTS = 1e-6  # of the fastest slip: what is slower rests
 
 
 class Phase(NamedTuple):
@@ -127,3 +131,43 @@ def _thrown(one: Phase, w: float) -> float:
     """The speed [m/s] at which the shear spring throws back a block whose slip ends."""
     against = one.pull * one.after < 0
     return float(2 * np.sqrt(abs(one.pull) * one.friction) / w) if against else 0.0
+
+
+def turned(p: Parameters) -> float:
+    """The error of the displacement because friction turns half a step late, over the step [m/s].
+
+    Friction F u acts against slip w = |w| u. In each second F u'/2 of the step goes to an error of
+    the speed, of which friction takes back what is across slip, at the rate F/|w|; where the block
+    rests, nothing is left of it. Steps are implicit, since that is fast where slip is slow.
+    """
+    slip, friction, step = _slip(p)
+    speed = place = 0j
+    before, farthest = None, 0.0
+    rests = RESTS * float(np.abs(slip).max())
+    for w, F in zip(slip.tolist(), friction.tolist(), strict=True):
+        size = abs(w)
+        if size <= rests:
+            before, speed = None, 0j
+            continue
+        way = w / size
+        if before is not None:
+            speed += F * (way - before) / 2
+        part = (speed * way.conjugate()).real * way
+        speed = part + (speed - part) / (1 + step * F / size)
+        place += step * speed
+        before, farthest = way, max(farthest, abs(place))
+    return farthest
+
+
+def _slip(p: Parameters) -> tuple[Vector, Vector, float]:
+    """Slip [m/s], down the dip and, as imaginary part, along the strike, F [m/s2], and the step."""
+    drive = {"ax": p["A"], "fx": p["f"], "ay": p["Ay"], "fy": p["fy"]}
+    law = {name: p[name] for name in ("alpha", "phi", "g")}
+    fastest = max(p["f"], p["fy"])
+    t = np.linspace(0.0, p["duration"], int(FINE * fastest * p["duration"]) + 3)[1:-1]
+    near = NEAR / fastest
+    ends = [incline.two_directions(at, **drive, **law) for at in (t - near, t + near)]
+    speed = (ends[1] - ends[0]) @ np.array([1, 1j]) / (2 * near)
+    dip, mu = np.radians(p["alpha"]), np.tan(np.radians(p["phi"]))
+    pressed = p["g"] * np.cos(dip) - p["A"] * np.sin(2 * np.pi * p["f"] * t) * np.sin(dip)
+    return speed, mu * pressed, float(t[1] - t[0])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cases.blocks.parts import _reversing
-from cases.blocks.parts._reversing import Phase, displaced, in_steps, on_springs, phases
+from cases.blocks.parts._reversing import Phase, displaced, in_steps, on_springs, phases, turned
 from vv.plan.project import find
 
 CASE = find().load_case("incline")
@@ -70,3 +70,28 @@ def test_a_block_that_vibrations_lift_off_has_no_bound() -> None:
     assert on_springs(motion, {**USUAL, "f": 8.0}, 4e4) < 0.2
     assert on_springs(motion, {**USUAL, "f": 9.0}, 4e4) == np.inf
     assert on_springs(motion, {**USUAL, "f": 40.0}, 4e4) == np.inf
+
+
+def slid(p: dict[str, float], late: float, step: float) -> complex:
+    """The displacement of a block that slides from the start, with friction that turns late [s]."""
+    dip, mu, behind = np.radians(p["alpha"]), np.tan(np.radians(p["phi"])), round(late / step)
+    speed, place, ways = 0j, 0j, []
+    for k in range(round(p["duration"] / step)):
+        along, aside = (
+            p[size] * np.sin(2 * np.pi * p[often] * (k + 0.5) * step)
+            for size, often in (("A", "f"), ("Ay", "fy"))
+        )
+        friction = mu * (p["g"] * np.cos(dip) - along * np.sin(dip))
+        pull = complex(p["g"] * np.sin(dip) + along * np.cos(dip), aside)
+        ways.append(speed / abs(speed) if speed else pull / abs(pull))
+        speed += step * (pull - friction * ways[max(0, k - behind)])
+        place += step * speed
+    return place
+
+
+def test_friction_that_turns_half_a_step_late_displaces_as_said() -> None:
+    usual = CASE.defaults("two-directions")
+    p = {**usual, "alpha": 50.0, "phi": 45.0, "Ay": 8.0, "duration": 2.0}  # it never rests
+    late = 2e-4
+    error = abs(slid(p, late / 2, 1e-5) - slid(p, 0.0, 1e-5)) / late
+    assert turned(p) == pytest.approx(error, rel=0.05)
