@@ -110,7 +110,7 @@ def _counts(
                opened, None, Shown(MOMENT)),
         Scalar("all opened", "n/n_level", "", "bonds that open before inclined bonds slide, over "
                "all level bonds", lambda run: float(opened(run)[_before(run)]) / level, 1.0, 1.0,
-               STRETCHED),
+               Shown(PULLED) if not own and _pull(histories()) else STRETCHED),
         Scalar("half opened", "e_half", "", "strain at which half of all level bonds are open",
                half, half_due, half_due, Shown(TIED)),
         Scalar("half beyond", "d e_half", "", "difference of that strain from the nearest slow "
@@ -118,6 +118,11 @@ def _counts(
                outside, 0.0, half_due,
                after_openings(p, block, _apart(p), own)),
     )  # fmt: skip
+
+
+def _pull(histories: tuple[lattice_failure.History, ...]) -> bool:
+    """Whether inclined bonds may be pulled open, if openings pull them as far as `SWINGS` says."""
+    return SWINGS * max(way.pulled for way in histories) >= 1.0
 
 
 def _before_the_fall(stress: Vector) -> float:
@@ -163,6 +168,9 @@ class _Pressed:
         behind[: int(np.argmax(straight))] = False
         return float(stress[int(np.argmax(behind)) - 1])
 
+    def opens(self) -> float:
+        return float(self.history().strain[0])
+
     def lowest(self) -> float:
         return float(self.history().before()[0])
 
@@ -199,6 +207,12 @@ class _Pressed:
         """
         return SWINGS * float(self.history().strain[-1]) >= _strain_at_sliding(self.p)
 
+    def uneven(self) -> str:
+        """Why inclined bonds may bear unequal loads with all level bonds open; empty if not."""
+        if self.waves_slide():
+            return SLID
+        return PULLED if _pull(self.histories()) else ""
+
     def after(self, run: Run) -> float:
         """The slope of the pressure with all level bonds open."""
         (low, high), strains = self.window(), self.strains(run)
@@ -214,10 +228,11 @@ class _Pressed:
 def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
     """The pressure over time, and its landmarks A3, A1 and A2 of Fig. 5.
 
-    own: the parameters are the case's, at which no wave lets bonds slide, and the histories that
-    are computed are those that blocks follow.
+    own: the parameters are the case's, at which no wave lets bonds slide or pulls inclined ones
+    open, and the histories that are computed are those that blocks follow.
     """
     p, block, one = pressed.p, pressed.block, pressed
+    uneven = "" if own else one.uneven()
     printed = lattice_material.opening_strength(p["kn"], p["ks"], p["xb"], p["d"])
     slid = lattice_material.sliding_strength(p["fs0"], p["mu_p"], p["d"])
     return (
@@ -227,7 +242,8 @@ def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
                one.off, 0.0, one.largest,
                history_bounds(block, own)),
         Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", one.first,
-               one.lowest, one.lowest, first_opening(p, block, _apart(p))),
+               one.lowest, one.lowest,
+               first_opening(p, block, _apart(p), None if own else one.opens())),
         Scalar("A1", "sigma(A1)", "Pa", "pressure before its largest fall", one.top,
                one.largest, one.largest, Shown(TIED)),
         Scalar("A1 beyond", "d sigma(A1)", "Pa", "difference of A1 from the nearest slow history",
@@ -235,7 +251,7 @@ def _stresses(pressed: _Pressed, own: bool) -> tuple[Quantity, ...]:
                after_openings(p, block, _apart(p), own)),
         Scalar("E after", "E'", "Pa", "slope of the pressure with all level bonds "
                "open", one.after, one.softer,
-               one.softer, slope_bounds(p) if own or not one.waves_slide() else Shown(SLID)),
+               one.softer, Shown(uneven) if uneven else slope_bounds(p)),
         Scalar("A1 over Eq. 8", "A1/C_open - 1", "", "A1 over C_open of Eq. 8, less 1",
                lambda run: one.top(run) / printed - 1.0, None, 1.0, Shown(FACES)),
         Scalar("A3 over Eq. 8", "A3/C_open - 1", "", "A3 over C_open of Eq. 8, less 1",
@@ -253,6 +269,10 @@ SWINGS = 2.0  # times the displacement at rest, after a load that is applied at 
 SLID = (
     "the wave of the last opening may let inclined bonds slide, after which they share the load "
     "unequally: they slide at less than twice its strain"
+)
+PULLED = (
+    "on weak shear springs inclined bonds are pulled and may open as well, at rest or in the wave "
+    "of another opening; the others then share the load unequally"
 )
 BEHIND = 2e-3  # of the pressure: one pair of bonds in a block of 82 costs twice as much
 MOMENT = "bonds open one after another while a wave passes, in an order that is not determined"

@@ -13,7 +13,7 @@ from vv.case import Exact, Parameters, Shown, Tolerance
 
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 SMALL = 82
-FIRST = 0.6  # strain of the first opening over that at which the lattice opens, by Eq. 8
+FIRST = 0.6  # strain of the first opening over that of Eq. 8, at the case's own springs
 WAVES = (
     "in blocks of more than 82 elements the wave of an opening also opens bonds that bear up to a "
     "twentieth less, at any rate"
@@ -40,23 +40,26 @@ def after_openings(p: Parameters, block: Lattice, apart: float, own: bool) -> Ex
     """Of a landmark that follows some openings; apart: the strain between two outputs; own: the
     parameters are the case's.
     """
-    return first_opening(p, block, apart) if own else Shown(ORDER)
+    return first_opening(p, block, apart, None) if own else Shown(ORDER)
 
 
-def first_opening(p: Parameters, block: Lattice, apart: float) -> Exact:
-    """apart: the strain between two outputs."""
+def first_opening(p: Parameters, block: Lattice, apart: float, opens: float | None) -> Exact:
+    """apart: the strain between two outputs; opens: that at which the slow network's first bond
+    opens, or None at the case's own parameters.
+    """
     springs = {name: p[name] for name in ("kn", "ks", "d")}
-    opens = lattice_material.opening_strength(xb=p["xb"], **springs)
-    first = FIRST * opens / lattice_material.youngs_modulus(**springs)
+    strength = lattice_material.opening_strength(xb=p["xb"], **springs)
+    inside = strength / lattice_material.youngs_modulus(**springs)
+    first = FIRST * inside if opens is None else opens
     pace = max(1.0, _pace(p))
     usual = {one.name: one.value for one in BRITTLE}
-    sooner = FIRST * max(0.0, _sooner(p) - _sooner(usual))
+    sooner = first / inside * max(0.0, _sooner(p) - _sooner(usual))
     return bounds(
         max(_waves(block, 6e-3) * pace, apart / first + 1.8e-3 * pace) + sooner,
         "an output may precede an opening by the strain between outputs, over that of the first "
-        "opening, 0.6 of that by Eq. 8; viscosity adds a thousandth at a rate of 1/s; "
-        f"{WAVES}; {PACED}; the slow network has small strains, and larger "
-        "ones than the case's own open bonds sooner, as in the exact path of a unit",
+        "opening, which is 0.6 of that by Eq. 8 at the case's own parameters; viscosity adds a "
+        f"thousandth at a rate of 1/s; {WAVES}; {PACED}; the slow network has small strains, and "
+        "larger ones than the case's own open bonds sooner, as in the exact path of a unit",
         slack="how soon an output follows an opening is chance",
     )
 

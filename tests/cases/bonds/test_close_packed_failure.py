@@ -7,9 +7,11 @@ from typing import Any
 
 import pytest
 
-from cases.bonds.close_packed_failure import CASE, _Pressed
-from reference_solutions.bonds import tetrahedral_unit
+from cases.bonds.close_packed_failure import CASE, PULLED, _Pressed
+from reference_solutions.bonds import lattice_failure, tetrahedral_unit
+from reference_solutions.bonds.close_packed_lattice import SIZES, lattice
 from reference_solutions.bonds.lattice_material import Element
+from vv.case import Shown
 
 USUAL = CASE.defaults("82")
 SLIDES = abs(
@@ -39,3 +41,28 @@ def test_the_slope_is_taken_after_the_last_opening_and_before_bonds_slide(
 def test_where_bonds_slide_soon_after_the_last_opening_no_slope_is_taken() -> None:
     with pytest.raises(ValueError, match="bonds slide soon after the last one opens"):
         pressed(0.74 * SLIDES).window()
+
+
+@pytest.mark.parametrize(("ks", "unequal"), [(0.1, True), (0.5, False), (1.01, False)])
+@pytest.mark.parametrize("variant", ["82", "82-counted"])
+def test_what_takes_equal_loads_is_not_judged_where_inclined_bonds_may_be_pulled_open(
+    variant: str, ks: float, unequal: bool
+) -> None:
+    """At a tenth of the shear stiffness two of them open, and the slope is 1 % below its value."""
+    name = {"82": "E after", "82-counted": "all opened"}[variant]
+    trial = CASE.declare(variant, {**USUAL, "ks": ks * USUAL["ks"]})
+    (judge,) = (one.judge for one in trial.quantities if one.name == name)
+    assert (isinstance(judge, Shown) and judge.reason == PULLED) == unequal
+
+
+@pytest.mark.parametrize("ks", [0.068, 0.1, 0.3])
+def test_the_first_opening_is_bounded_by_the_strain_between_outputs_over_its_own(ks: float) -> None:
+    """On weak shear springs it is less than the 0.6 of Eq. 8 that it is at the usual ones."""
+    trial = CASE.declare("82", {**USUAL, "ks": ks * USUAL["ks"]})
+    (judge,) = (one.judge for one in trial.quantities if one.name == "A3")
+    (bound,) = {one.value for one in judge.tolerances.values()}  # type: ignore[union-attr]
+    history = lattice_failure.pressed(
+        lattice(*SIZES[82], USUAL["d"]), USUAL["kn"], ks * USUAL["ks"], USUAL["xb"]
+    )
+    apart = trial.study.goal.interval * abs(USUAL["rate"])
+    assert apart / history.strain[0] < bound < apart / history.strain[0] + 0.01

@@ -53,6 +53,19 @@ def test_in_the_end_all_level_bonds_are_open_and_no_other() -> None:
     assert FOUND.modulus[-1] == pytest.approx(left.E, rel=1e-9)
 
 
+def test_on_weak_shear_springs_inclined_bonds_are_pulled_open_too() -> None:
+    """Below ks/kn = 0.03 two or more open before the last level one; at the usual 0.17 none is."""
+    rise = np.ptp(BLOCK.position[BLOCK.bonds][:, :, 2], axis=1)
+    level = (rise < 0.1 * D).sum()
+    parts = (0.0172, 0.0464, KS / KN)
+    weak, between, usual = (pressed(BLOCK, KN, part * KN, XB) for part in parts)
+    assert weak.opened[-1] == level + 2
+    assert weak.pulled >= 1.0
+    assert between.opened[-1] == usual.opened[-1] == level
+    assert 0.1 < between.pulled < 1.0
+    assert usual.pulled < 1e-6
+
+
 def test_the_stress_never_rises_where_bonds_open() -> None:
     assert (np.diff(np.concatenate([[FOUND.whole], FOUND.modulus])) < 0).all()
     assert FOUND.before()[0] == pytest.approx(FOUND.stress(FOUND.strain[:1] * (1 - 1e-9))[0])
