@@ -67,7 +67,7 @@ def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance
     slips_on = _always_slips(p) or not one_way
     springs, whole = (late_springs(p), kept(p) / p["duration"]) if slips_on else (0.0, 0.0)
     return {
-        Method.EXACT: Tolerance(1e-13, LOCATED) if one_way else _rounding(p, path),
+        Method.EXACT: _located(p, rate) if one_way else _rounding(p, path),
         Method.SECOND_ORDER: _second(p) if one_way else _rotating(p, path, way),
         Method.PENALTY: _late_reversals(
             rate, max(0.07 * quick, springs), max(0.8, whole, stops), biased
@@ -96,6 +96,16 @@ def _stops(p: Parameters) -> float:
     gained = float(np.hypot(*(np.array([p["D"], p["Dy"]]) * rates**2)) * STEP)
     slow = float(rates.min())
     return p["duration"] * slow / (2 * np.pi) if p["mu"] * p["g"] / slow < 2 * gained else 0.0
+
+
+def _located(p: Parameters, rate: float) -> Tolerance:
+    """For reversals along x, located to rounding; rate: mu g T over the displacement [1/s]."""
+    lost = rate * EPS * kept(p) * np.sqrt(2 * p["f"] * p["duration"])
+    return Tolerance(
+        max(float(lost), 1e-13),
+        f"{LOCATED}. A time of the order of T is rounded by eps T, so that each of 2 f T reversals "
+        "changes the speed by up to mu g eps T, with either sign, until friction has removed it",
+    )
 
 
 def _rounding(p: Parameters, path: Path) -> Tolerance:
