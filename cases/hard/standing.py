@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -30,16 +31,16 @@ from vv.case import (
 from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
 
 MOST = 1000  # blocks: their shapes take less than a second
-VOUSSOIRS, DEEP, DENSITY = 10, 0.25, 2500.0  # number, half depth [m], kg/m3
+VOUSSOIRS, DEEP, DENSITY = 10, 0.25, 2500.0  # number, largest half depth [m], kg/m3
 OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 Y, Z = np.eye(3)[1:]
 EPS = float(np.finfo(float).eps)
 
 
-def _prism(name: str, corners: Vector) -> Block:
+def _prism(name: str, corners: Vector, size: float) -> Block:
     """A prism from corners (4, 2) in the plane of x and z, in which alone it can move."""
-    flat = np.insert(corners, 1, 0.0, axis=1)
-    vertices = np.concatenate([flat - DEEP * Y, flat + DEEP * Y])
+    flat, deep = np.insert(corners, 1, 0.0, axis=1), DEEP * min(size, 1.0)
+    vertices = np.concatenate([flat - deep * Y, flat + deep * Y])
     mass, inertia = polyhedron_inertia(vertices, OUTLINE, DENSITY)
     return Block(name, vertices, OUTLINE, mass, inertia, np.zeros(3), free=Y == 0, free_spin=Y != 0)
 
@@ -47,7 +48,9 @@ def _prism(name: str, corners: Vector) -> Block:
 def _stack(p: Parameters) -> list[Block]:
     square = np.array([[-0.5, 0.0], [0.5, 0.0], [0.5, 1.0], [-0.5, 1.0]])
     up = np.array([0.0, 1.0])
-    return [_prism(f"{k + 1}", p["size"] * (square + k * up)) for k in range(int(p["n"]))]
+    return [
+        _prism(f"{k + 1}", p["size"] * (square + k * up), p["size"]) for k in range(int(p["n"]))
+    ]
 
 
 def _thickness(p: Parameters) -> float:
@@ -61,7 +64,7 @@ def _arch(p: Parameters) -> list[Block]:
     edge = p["size"] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     inner, outer = (1 - t / 2) * edge, (1 + t / 2) * edge
     return [
-        _prism(f"{k + 1}", np.array([inner[k], outer[k], outer[k + 1], inner[k + 1]]))
+        _prism(f"{k + 1}", np.array([inner[k], outer[k], outer[k + 1], inner[k + 1]]), p["size"])
         for k in range(VOUSSOIRS)
     ]
 
@@ -78,16 +81,37 @@ def _declare(variant: str, p: Parameters) -> Trial:
     contact = Contact(np.inf, mu=p["mu"])
     scene = Scene((Wall(np.zeros(3), Z), *blocks), contact, gravity=-p["g"] * Z)
     seen = tuple(Displacement(body) for body in range(1, len(blocks) + 1))
+    pace = _pace(p)
+    goal = History(pace * GOALS[variant].duration, pace * GOALS[variant].interval)
     quantity = (
-        _crown_sinking(p)
+        _crown_sinking(p, goal, pace)
         if variant == "arch-thin"
         else _moved(seen, p, STANDS if variant == "arch" else _stack_bounds(p["n"]))
     )
-    study = Ladder(scene, GOALS[variant], seen, LEVELS[variant])
+    kn = _stiffness(p, pace)
+    levels = dict.fromkeys(Level, tuple(Knobs(pace * dt, kn) for dt in STEPS[variant]))
+    study = Ladder(scene, goal, seen, levels)
     weighed = sum(block.mass for block in blocks) * p["g"] * p["size"]
     least = SINKING if variant == "arch-thin" else RESTS
     unexplained = EnergyAllowance(weighed, {Method.SECOND_ORDER: least}) if weighed else None
     return Trial(study, (quantity,), unexplained)
+
+
+def _pace(p: Parameters) -> float:
+    """By what times are multiplied: a half or less where blocks are small, or their weight large.
+
+    A step in which weight moves a block by its own size cannot tell which of its corners touch.
+    """
+    quick = p["g"] / 9.81 / p["size"]
+    return 0.5 ** max(0, math.ceil(math.log2(max(quick, 1.0) / 1.2) / 2.0))
+
+
+def _stiffness(p: Parameters, pace: float) -> float:
+    """The stiffness [N/m] of springs on which blocks swing alike in each step, see `_pace`.
+
+    It is in proportion to the mass of a block, which is at most half a metre deep.
+    """
+    return 1e9 * p["size"] ** 2 * min(p["size"], 1.0) / pace**2
 
 
 def _check_friction(p: Parameters) -> None:
@@ -109,7 +133,7 @@ def _moved(seen: tuple[Displacement, ...], p: Parameters, judge: Exact) -> Quant
 def _stack_bounds(n: float) -> Exact:
     """The judge of a stack of n blocks, whose tilts add up towards the top."""
     creep = Tolerance(
-        2e-6 * (n / 20) ** 2,
+        5e-7 * (n / 20) ** 2,
         "contacts are solved to about 1e-8 m/s; over 10 s, with tilts that add up, a stack of "
         "twenty may creep by micrometres, and another in proportion to the square of its height",
         slack="a short stack is solved to rounding in most steps",
@@ -120,27 +144,49 @@ def _stack_bounds(n: float) -> Exact:
         "proportion to the square of the height",
     )
     rigid = {Method.SECOND_ORDER: creep, Method.FIRST_ORDER: sweeps}
-    return Exact(rigid | dict.fromkeys(SPRUNG, Tolerance(1e-12, PRESSED)))
+    return Exact(rigid | dict.fromkeys(SPRUNG, Tolerance(1e-12 * max(1.0, n / 20), PRESSED)))
 
 
-def _crown_sinking(p: Parameters) -> Quantity:
+def _crown_sinking(p: Parameters, goal: History, pace: float) -> Quantity:
+    """pace: by what the steps of this class of scene are multiplied, see `_pace`."""
     falls = functools.partial(
         falling_arch.crown_drop, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
     )
-    _check_resolved(p, falls)
+    judge = _fall_bounds(pace)
+    _check_resolved(p, falls, goal, judge)
     return Series(
         "sunk", "d", "m", "downward displacement of the voussoir beside the crown",
         ComponentAlong(Displacement(VOUSSOIRS // 2), -Z),
         falls,
-        FALLS,
+        judge,
     )  # fmt: skip
 
 
-def _check_resolved(p: Parameters, falls: Callable[[Vector], Vector]) -> None:
+def _fall_bounds(pace: float) -> Exact:
+    """pace: by what the steps are multiplied, see `_pace`."""
+    return Exact(
+        {
+            Method.SECOND_ORDER: Tolerance(
+                3e-4, "contacts are solved to 5e-6 m/s, and the arch sinks at up to 1e-2 m/s",
+                dt=2.5e-3 * pace, order=2,
+            ),
+            Method.FIRST_ORDER: Tolerance(
+                2.5e-2, "the fall starts half a step late, an error of dt over the 0.2 s of the "
+                "fall; twice that is allowed",
+                dt=2.5e-3 * pace, order=1,
+            ),
+        },
+        not_judged=dict.fromkeys(SPRUNG, HINGED),
+    )  # fmt: skip
+
+
+def _check_resolved(
+    p: Parameters, falls: Callable[[Vector], Vector], goal: History, judge: Exact
+) -> None:
     """Raise ValueError where rounding of positions exceeds the smallest tolerance of the fall."""
-    *_, finest = FALLING
-    allowed = FALLS.tolerance(Method.SECOND_ORDER).at(finest)
-    drop = float(falls(np.array([GOALS["arch-thin"].duration]))[-1])
+    finest = Knobs(_pace(p) * STEPS["arch-thin"][-1])
+    allowed = judge.tolerance(Method.SECOND_ORDER).at(finest)
+    drop = float(falls(np.array([goal.duration]))[-1])
     if not drop * allowed >= EPS * p["size"]:
         raise ValueError(
             f"g = {p['g']!r} m/s2; the crown falls by {drop:.3g} m, {allowed:.3g} of "
@@ -152,18 +198,14 @@ def _farthest(run: Run, seen: tuple[Displacement, ...]) -> float:
     return max(float(np.linalg.norm(run.values[what], axis=1).max()) for what in seen)
 
 
-SHORT, LONG = (Knobs(1e-2, 1e9), Knobs(5e-3, 1e9)), (Knobs(5e-2, 1e9), Knobs(2e-2, 1e9))
-COARSE = (Knobs(1e-1, 1e9), Knobs(5e-2, 1e9))
-FALLING = (Knobs(2.5e-3, 1e9), Knobs(1.25e-3, 1e9))
 ARCHES = ("arch", "arch-thin")
 JUST_STANDS = 1.0 + 1e-9  # of the smallest thickness, so that rounding does not decide
-LEVELS: Mapping[str, Mapping[Level, tuple[Knobs, ...]]] = {
-    "stack-10": dict.fromkeys(Level, LONG),
-    "stack-20": dict.fromkeys(Level, LONG),
-    "stack-100": dict.fromkeys(Level, COARSE),
-    "arch": dict.fromkeys(Level, SHORT),
-    "arch-thin": dict.fromkeys(Level, FALLING),
-}
+STEPS: Mapping[str, tuple[float, ...]] = {
+    **dict.fromkeys(("stack-10", "stack-20"), (5e-2, 2e-2)),
+    "stack-100": (1e-1, 5e-2),
+    "arch": (1e-2, 5e-3),
+    "arch-thin": (2.5e-3, 1.25e-3),
+}  # s, as are these durations and intervals, all times `_pace`
 GOALS = {
     **dict.fromkeys(("stack-10", "stack-20", "stack-100"), History(10.0, 1.0)),
     "arch": History(1.0, 0.1),
@@ -173,7 +215,10 @@ RIGID, SPRUNG = (
     (Method.SECOND_ORDER, Method.FIRST_ORDER),
     (Method.PENALTY, Method.LAGGING),
 )
-PRESSED = "springs start compressed by the loads; they neither oscillate nor open"
+PRESSED = (
+    "springs start compressed by the loads; they neither oscillate nor open, and rounding adds up "
+    "along a stack"
+)
 SETTLES = (
     "springs start compressed by the weights; where a joint opens at one edge, the other "
     "sinks by W/kn, 1e-6 m"
@@ -209,20 +254,6 @@ HINGED = (
     "beyond Coulomb's limit, and the run diverges at steps of 5e-3 s and 6.25e-4 s, which are left "
     "out here"
 )
-FALLS = Exact(
-    {
-        Method.SECOND_ORDER: Tolerance(
-            3e-4, "contacts are solved to 5e-6 m/s, and the arch sinks at up to 1e-2 m/s",
-            dt=2.5e-3, order=2,
-        ),
-        Method.FIRST_ORDER: Tolerance(
-            2.5e-2, "the fall starts half a step late, an error of dt over the 0.2 s of the fall; "
-            "twice that is allowed",
-            dt=2.5e-3, order=1,
-        ),
-    },
-    not_judged=dict.fromkeys(SPRUNG, HINGED),
-)  # fmt: skip
 FOR_ARCHES = frozenset({"part"})
 STEADY = "a structure that stands does so at any size and weight, and with any sufficient friction"
 STACKED = dict.fromkeys(("size", "n", "mu", "g"), STEADY)

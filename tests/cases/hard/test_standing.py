@@ -187,6 +187,30 @@ def test_a_hundred_blocks_stand_in_rigid_contact(dt: float) -> None:
     assert np.abs(run.values[top]).max() < 1e-4
 
 
+@pytest.mark.parametrize(("size", "g"), [(1e-2, 9.81), (1e-6, 9.81), (1.0, 1e3), (8.0, 9.81)])
+def test_stacks_of_blocks_of_any_size_and_weight_creep_alike(size: float, g: float) -> None:
+    """In steps of 0.05 s weight moves blocks of 1 cm by their own size."""
+    given = {**CASE.defaults("stack-20"), "size": size, "g": g}
+    trial = CASE.declare("stack-20", given)
+    (moved,) = trial.quantities
+    for knobs in trial.study.rungs[Level.DEFAULT]:
+        run = rigid.solve(trial.study.ask(knobs))
+        assert moved.observe(run) <= 1e-7 * size
+        assert run.ledger is not None
+        assert all(seen <= allowed for seen, allowed in run.ledger.audits.values())
+
+
+@pytest.mark.parametrize(("size", "g"), [(1e-2, 9.81), (1.0, 1e3)])
+def test_an_arch_of_any_size_and_weight_sinks_alike_into_its_springs(size: float, g: float) -> None:
+    """Times are halved until weight moves a block by at most 1.2 times as much as usual."""
+    given = {**CASE.defaults("arch"), "size": size, "g": g}
+    trial = CASE.declare("arch", given)
+    (moved,) = trial.quantities
+    run = dda.solve_default(trial.study.ask(trial.study.rungs[Level.DEFAULT][0]))
+    assert run.status is Status.RAN, run.reason
+    assert 0.3 < moved.observe(run) / (1.61e-8 * size) < 1.2
+
+
 def test_blocks_that_touch_few_others_are_numbered_in_a_chain() -> None:
     """Any numbering in the scene is replaced, so that equations of Newton steps are banded."""
     whole = scene("stack-10", n=30)

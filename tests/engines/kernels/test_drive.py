@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.support.plain import plain
-from vv.engines.kernels.arrays import larger, least_of, marked, smaller, square_of
+from vv.engines.kernels.arrays import all_finite, larger, least_of, marked, smaller, square_of
 from vv.engines.kernels.drive import NO_MOTION, drive, drives, mean, one_of, rate, travel, value
 from vv.engines.kernels.triples import Triple, add_scaled, cross, dot
 from vv.scene import Harmonic, Pulse, Vector
@@ -87,6 +87,14 @@ def test_small_functions_of_numbers_are_what_they_say() -> None:
     assert [plain(smaller)(*pair) for pair in ((1.0, 2.0), (2.0, 1.0))] == [1.0, 1.0]
     least = plain(least_of)
     assert (least(np.array([3.0, -1.0, 2.0])), least(np.zeros(0))) == (-1.0, np.inf)
+    numbers: tuple[list[float], ...] = (
+        [1.0, -2.0],
+        [],
+        [1.0, np.inf],
+        [-np.inf, 0.0],
+        [np.nan, 1.0],
+    )
+    assert [plain(all_finite)(np.array(one)) for one in numbers] == [True, True, *[False] * 3]
     assert [plain(marked)(np.array(mask)) for mask in ([False, True, False], [False])] == [
         True,
         False,

@@ -16,6 +16,7 @@ from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering, equation_numbers, half_width
 from vv.engines.rigid.solver.cone import Friction, Problem, residual, sweep
+from vv.engines.rigid.solver.newton import newton_round
 from vv.scene import Vector
 
 PLANE, SPIN = np.diag([1.0, 0.0, 1.0]), np.diag([0.0, 1.0, 0.0])
@@ -44,9 +45,19 @@ def _equations(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int,
     return row, many, half_width(joints, row, blocks)
 
 
-solved: Any = numba.njit(
-    _solved
-)  # not cached on disk, where they would outlive the functions they call
+def _round_of(
+    joints: Joints, bodies: Bodies, friction: Friction, falls: Vector, stiffness: float
+) -> tuple[bool, Vector]:
+    """Whether a Newton round on contacts of this stiffness converges; and the impulses of it."""
+    p, blocks = zero_rows(len(joints.first)), len(falls) - 1
+    place, _ = band_ordering(joints, bodies, blocks)
+    problem = Problem(joints, bodies, friction, p, 1.0 * falls, 0.0 * falls)
+    return newton_round(problem, zero_rows(len(p)), TOLERANCE, stiffness, place), p
+
+
+# not cached on disk, where they would outlive the functions they call
+solved: Any = numba.njit(_solved)
+round_of: Any = numba.njit(_round_of)
 equations: Any = numba.njit(_equations)
 
 
@@ -84,3 +95,17 @@ def test_only_velocities_that_are_free_have_equations_and_these_lie_near_the_dia
     assert many == 8 * 3
     assert sorted(row[row >= 0]) == list(range(24))
     assert far == 5  # those of one cube and of the next
+
+
+@pytest.mark.parametrize("made", [pile, in_plane])
+def test_a_round_on_contacts_so_stiff_that_rounding_makes_it_singular_does_not_converge(
+    made: Any,
+) -> None:
+    joints, bodies, friction, falls = made(8, 0.5)
+    met = []
+    for stiffness in 10.0 ** np.arange(0, 300, 3):
+        converged, p = round_of(joints, bodies, friction, falls, stiffness)
+        assert np.isfinite(p).all() or not converged
+        met.append(converged)
+    assert met[0]
+    assert not all(met)

@@ -156,6 +156,15 @@ def marked(mask: Mask) -> bool:
 
 
 @lent
+def all_finite(values: Vector) -> bool:
+    """Whether no number is infinite or undefined."""
+    finite = True
+    for value in values:
+        finite = finite and abs(value) < np.inf
+    return finite
+
+
+@lent
 def least_of(values: Vector) -> float:
     """The least number, or infinity if there are none."""
     least = np.inf

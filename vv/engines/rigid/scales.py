@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.scene import Harmonic, Scene
+from vv.scene import Block, Harmonic, Scene, Vector
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ def scales(scene: Scene) -> Scales:
     shaken, moved = _rate(scene.wave, 0), max((_rate(one, 2) for one in walls), default=0.0)
     weight, swung = float(max(forces)), _rate(scene.wave, -1)
     pull = weight + shaken + moved
-    sizes = [np.ptp(block.vertices, axis=0).max() for block in blocks]
+    sizes = [size_of_motion(block, scene.axes) for block in blocks]
     thrown = [
         math.hypot(*block.velocity) + math.hypot(*block.spin) * size
         for block, size in zip(blocks, sizes, strict=True)
@@ -50,6 +50,15 @@ def scales(scene: Scene) -> Scales:
     turns = [(weight, max(thrown)), (shaken + moved, swung + carried)]
     quick = min((gain / rate for gain, rate in turns if rate > 0.0), default=0.0)
     return Scales(weight or pull, pull, speed, fall, quick, float(sum(rate for _, rate in turns)))
+
+
+def size_of_motion(block: Block, axes: Vector) -> float:
+    """The largest extent [m] of a block along those axes (rows of (3, 3)) on which it can move.
+
+    How deep a block is across the plane of its motion changes nothing in that motion.
+    """
+    extents = np.ptp(block.vertices @ axes.T, axis=0)
+    return float(extents[block.free].max() if block.free.any() else extents.max())
 
 
 def _rate(motion: Harmonic | None, times: int) -> float:

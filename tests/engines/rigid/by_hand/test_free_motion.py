@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -27,8 +28,8 @@ from vv.engines.rigid.general.setting import (
     wall_rates,
 )
 from vv.engines.rigid.limits import FINE, FINEST, GENTLY, LONG, ROUNDED, SLOWLY
-from vv.engines.rigid.scales import scales
-from vv.scene import Contact, Harmonic, Scene, Vector, Wall
+from vv.engines.rigid.scales import scales, size_of_motion
+from vv.scene import Contact, Harmonic, Scene, Vector, Wall, rotated, rotation_about_z
 
 pytestmark = pytest.mark.usefixtures("in_python")
 GRAVITY = np.array([0.3, -0.5, -9.0])
@@ -199,7 +200,8 @@ def norm(a: Vector) -> float:
 
 def test_scales_are_those_of_forces_motions_and_sizes() -> None:
     made = scene()
-    sizes = [np.ptp(b.vertices, axis=0).max() for b in made.blocks]
+    extents = [np.ptp(b.vertices @ made.axes.T, axis=0) for b in made.blocks]
+    sizes = [extent[free].max() for extent, free in zip(extents, FREE, strict=True)]
     weight = max(norm(GRAVITY + LOAD[k] / b.mass) for k, b in enumerate(made.blocks))
     turns = 2 * np.pi * BASE.frequency
     moved = max((BASE.amplitude * turns**2).sum(), 0.01 * (10 * np.pi) ** 2)
@@ -228,6 +230,21 @@ def test_without_weight_the_scale_is_that_of_motions() -> None:
     assert found.speed == pytest.approx(np.sqrt(4.0 * 0.6))
     heavy = scales(Scene((block,), Contact(np.inf), gravity=np.array([0, 0, -2.0]), shaking=steady))
     assert (heavy.weight, heavy.pull) == (2.0, 6.0)
+
+
+@pytest.mark.parametrize("deep", [1e-3, 0.3, 50.0])
+def test_the_depth_of_a_block_across_its_plane_of_motion_is_no_scale(deep: float) -> None:
+    """In a scene whose plane is oblique to the frame, too."""
+    plain = box("b", [0, 0, 3.0], [0.1, deep, 0.3])
+    flat = dataclasses.replace(
+        plain, free=np.array([True, False, True]), free_spin=np.array([False, True, False])
+    )
+    made = Scene((flat,), Contact(np.inf), gravity=np.array([0, 0, -2.0]))
+    for seen in (made, rotated(made, rotation_about_z(0.7))):
+        assert scales(seen).fall == pytest.approx(np.sqrt(2.0 * 0.6))
+    held = dataclasses.replace(flat, free=np.zeros(3, bool))
+    (block,) = Scene((held,), Contact(np.inf)).blocks
+    assert size_of_motion(block, np.eye(3)) == pytest.approx(2 * max(deep, 0.3))
 
 
 @pytest.mark.parametrize("field", [1.0, 1e-6])

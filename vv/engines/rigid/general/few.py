@@ -12,6 +12,7 @@ from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import add_scaled, at, dot
 from vv.engines.rigid.limits import (
+    ADDED,
     BLURRED,
     ENOUGH,
     OUTER,
@@ -62,21 +63,22 @@ def solve_chained(
 ) -> tuple[int, float]:
     """Solve as `solve_few`, for few blocks or a chain, by sweeps and Newton steps in turn.
 
-    Newton steps are cheap there. They continue beyond the residual asked, since residuals add up
-    along a chain.
+    Newton steps are cheap there. Residuals add up along a chain, so that less than the tolerance is
+    asked of each contact, and Newton steps continue beyond that.
     """
     small, sweeps, left = limits.blocks <= SMALL, 0 * fewest, np.inf
     finer = (SHINED if small else POLISHED) * tolerance
     free_v, free_w = velocities_without(problem)
-    while sweeps < limits.most and left > tolerance:
+    asked = tolerance if small else tolerance / smaller(limits.blocks, ADDED)
+    while sweeps < limits.most and left > asked:
         if not small and sweeps >= ENOUGH and left <= limits.tolerance:
             break
         few = smaller(STALLED, limits.most - sweeps)
-        more, left = solve_contacts(problem, tolerance, fewest, few)
+        more, left = solve_contacts(problem, asked, fewest, few)
         sweeps += more
-        if left > tolerance:
+        if left > asked:
             left = recomputed(problem, free_v, free_w)
-        if left > tolerance:
+        if left > asked:
             left = polish(problem, finer, left, place, STIFF)
         if more == 0:
             break

@@ -24,7 +24,7 @@ from vv.engines.rigid.limits import (
     SMALL_MOST,
     TOUCHING,
 )
-from vv.engines.rigid.scales import Scales, scales
+from vv.engines.rigid.scales import Scales, scales, size_of_motion
 from vv.scene import Mask, Scene, Term, Vector
 
 
@@ -92,7 +92,8 @@ class Space:
             force=np.array([hold[i] @ (b.mass * scene.gravity + b.load)
                             for i, b in enumerate(blocks)]),
             mu=scene.contact.mu,
-            slack=(TOUCHING if small else LOOSELY) * float(forms.size.min()),
+            slack=(TOUCHING if small else LOOSELY)
+            * min(size_of_motion(block, scene.axes) for block in blocks),
             step=dt,
             pull=known.pull,
             tolerance=FINEST * min(known.speed, known.given + LONG * known.pull * dt)

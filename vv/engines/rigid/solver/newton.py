@@ -13,6 +13,7 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import (
+    all_finite,
     clear,
     larger,
     numbers,
@@ -147,8 +148,8 @@ def newton_solution(
 
     x, y start from their first guess, and q (c, 3) from the impulses whose effect is in v, w.
     Returns whether the iteration converged: no velocity changed by more than a tenth of the
-    tolerance [m/s] in the last step. place: see `band_ordering`. It is one function since assembly,
-    solution and update share its arrays.
+    tolerance [m/s] in the last step. place: see `band_ordering`. It is one function since assembly
+    and solution share its arrays.
     """
     p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
     v, w = problem.v, problem.w
@@ -167,7 +168,6 @@ def newton_solution(
                 put(p, c, projected_impulse(joints, c, friction, stiffness, at(q, c), u, slope))
                 add_stiffness(matrix, joints, c, bodies, rows_of, half, slope, lever)
                 apply_nonzero(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
-        most = 0.0
         for i in range(blocks):
             for r in range(6):
                 row = rows_of[6 * i + r]
@@ -177,14 +177,27 @@ def newton_solution(
         for k in range(m):
             matrix[k, half] += 1.0
         eliminate(matrix, right, half)
-        for i in range(blocks):
-            for r in range(6):
-                row = rows_of[6 * i + r]
-                if row >= 0 and r < 3:
-                    x[i, r] += right[row]
-                    most = larger(most, abs(right[row]))
-                elif row >= 0:
-                    y[i, r - 3] += right[row] / lever[i]
-        if most <= 0.1 * tolerance:
+        if not all_finite(right):
+            return False  # contacts are so stiff that rounding made the equations singular
+        if add_step(right, rows_of, lever, x, y) <= 0.1 * tolerance:
             return True
     return False
+
+
+@lent
+def add_step(right: Vector, rows_of: Index, lever: Vector, x: Vector, y: Vector) -> float:
+    """Add a solution `right` (m,) to velocities and spins x, y (b, 3).
+
+    rows_of, lever: see `equation_numbers` and `longest_arms`. Returns the largest change of a
+    velocity [m/s].
+    """
+    most = 0.0
+    for i in range(len(lever)):
+        for r in range(6):
+            row = rows_of[6 * i + r]
+            if row >= 0 and r < 3:
+                x[i, r] += right[row]
+                most = larger(most, abs(right[row]))
+            elif row >= 0:
+                y[i, r - 3] += right[row] / lever[i]
+    return most

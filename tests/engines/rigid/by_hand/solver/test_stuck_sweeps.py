@@ -11,6 +11,7 @@ import pytest
 from vv.engines.rigid.general import few, many
 from vv.engines.rigid.general.few import Limits
 from vv.engines.rigid.limits import (
+    ADDED,
     CARRIED,
     CHAIN,
     ENOUGH,
@@ -135,12 +136,20 @@ def test_no_more_sweeps_are_made_than_are_left(monkeypatch: pytest.MonkeyPatch) 
 def test_few_blocks_and_chains_are_polished_after_few_sweeps(
     monkeypatch: pytest.MonkeyPatch, blocks: int, apart: int, part: float
 ) -> None:
-    told = Stuck(monkeypatch, [9.0, WIDE], [1.0, 0.5 * ASKED])
-    assert told.turns(blocks, apart) == (2 * STALLED, 0.5 * ASKED)
+    told = Stuck(monkeypatch, [9.0, WIDE], [1.0, 0.1 * ASKED])
+    assert told.turns(blocks, apart) == (2 * STALLED, 0.1 * ASKED)
     assert told.tried == [("solve", STALLED, True), ("newton", STIFF, True)] * 2
     assert told.aims == pytest.approx([part * ASKED] * 2)
     told = Stuck(monkeypatch, [9.0], [1.0])
     assert told.turns(blocks, apart, most=STALLED - 1) == (STALLED - 1, 1.0)
+
+
+@pytest.mark.parametrize(("blocks", "part"), [(SMALL, 1), (SMALL + 1, SMALL + 1), (9999, ADDED)])
+def test_each_contact_of_a_chain_is_asked_for_its_part_of_the_residual(
+    monkeypatch: pytest.MonkeyPatch, blocks: int, part: int
+) -> None:
+    told = Stuck(monkeypatch, [1.01 * ASKED / part, 0.99 * ASKED / part], [1.01 * ASKED / part])
+    assert told.turns(blocks, CHAIN) == (2 * STALLED, 0.99 * ASKED / part)
 
 
 @pytest.mark.parametrize(("blocks", "enough"), [(SMALL, False), (SMALL + 1, True)])
