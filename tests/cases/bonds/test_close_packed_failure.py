@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from cases.bonds.close_packed_failure import CASE, PULLED, _Pressed
+from cases.bonds.close_packed_failure import CASE, PULLED, UNSEEN, _Pressed
 from reference_solutions.bonds import lattice_failure, tetrahedral_unit
 from reference_solutions.bonds.close_packed_lattice import SIZES, lattice
 from reference_solutions.bonds.lattice_material import Element
@@ -66,3 +66,13 @@ def test_the_first_opening_is_bounded_by_the_strain_between_outputs_over_its_own
     )
     apart = trial.study.goal.interval * abs(USUAL["rate"])
     assert apart / history.strain[0] < bound < apart / history.strain[0] + 0.01
+
+
+@pytest.mark.parametrize(("kn", "seen"), [(0.254, False), (0.362, True), (1.01, True)])
+def test_the_first_opening_is_not_judged_where_it_hardly_lowers_the_pressure(
+    kn: float, seen: bool
+) -> None:
+    """On normal springs of a quarter it lowers it by 1.5e-3; what is observed is 9 % above."""
+    trial = CASE.declare("82", {**USUAL, "kn": kn * USUAL["kn"]})
+    (judge,) = (one.judge for one in trial.quantities if one.name == "A3")
+    assert (judge == Shown(UNSEEN)) != seen
