@@ -44,6 +44,15 @@ def test_springs_see_friction_one_percent_off_on_a_shaken_base(variant: str, cod
         assert found[0] > 1
 
 
+@pytest.mark.parametrize("name", ["mu", "g"])
+@pytest.mark.parametrize("variant", ["1d", "1d-mu-1", "2d", "3d", "3d-turning"])
+@pytest.mark.parametrize("scheme", ["dda/published", "dda/lagged"])
+def test_friction_that_lags_is_seen_one_percent_off_on_a_shaken_base(
+    variant: str, scheme: str, name: str
+) -> None:
+    assert sees("responding-block", variant, scheme, name, Level.QUICK)
+
+
 @pytest.mark.parametrize("name", ["Ay", "fy", "f", "g"])
 @pytest.mark.parametrize(
     ("variant", "scheme"),
@@ -61,11 +70,12 @@ def test_springs_see_shaking_in_two_directions_one_percent_off(
 
 
 @pytest.mark.parametrize("variant", ["T3", "T3-mirrored", "T3-swapped", "T3-free", "T3-rotated"])
+@pytest.mark.parametrize("scheme", ["dem/default", "dem/published"])
 def test_a_leapfrog_sees_the_viscosity_of_a_grazing_contact_at_the_default_level(
-    variant: str,
+    variant: str, scheme: str
 ) -> None:
     """At the quick level its own error is as large as what 1 % of it changes."""
-    assert sees("single-contact", variant, "dem/default", "eta", Level.DEFAULT)
+    assert sees("single-contact", variant, scheme, "eta", Level.DEFAULT)
 
 
 def sees(case_name: str, variant: str, named: str, name: str, level: Level) -> bool:
