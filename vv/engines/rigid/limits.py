@@ -186,8 +186,12 @@ BRIEF = 0.1
 The mean force over a much shorter time may be 1e4 times too large, and rounding of the prediction
 would be lost from the momentum."""
 
-STILL = 1e-9
-"""Over the velocity gained from all forces in a step: slower slip has no direction."""
+STILL = 1e-11
+"""Over the velocity that friction gives in a step: slower slip has no direction.
+
+A slip that friction stops keeps this velocity to the end of its step, so that it is small beside
+what friction gives, however slippery the ground, and what a slope leaves of that.
+"""
 
 BENDS = 6
 """Iterations in which the mean direction of friction follows the slip, in small scenes."""

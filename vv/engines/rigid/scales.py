@@ -18,7 +18,8 @@ class Scales:
     """Scales of a scene's motion.
 
     weight: the acceleration by gravity and loads [m/s2], or by shaking and moving walls if there
-    are neither; pull: by all together [m/s2]. speed: that a block has or soon gains [m/s]; fall:
+    are neither; pull: by all together [m/s2]; braking: by friction under it [m/s2], at most as
+    large. speed: that a block has or soon gains [m/s]; fall:
     that of a fall by the size of the smallest block [m/s]. quick: the least ratio of acceleration
     to velocity [1/s], which does not change if all accelerations and velocities are scaled;
     given: the initial speed plus that of shaking and moving walls [m/s].
@@ -26,6 +27,7 @@ class Scales:
 
     weight: float
     pull: float
+    braking: float
     speed: float
     fall: float
     quick: float
@@ -49,7 +51,8 @@ def scales(scene: Scene) -> Scales:
     fall = math.sqrt((weight or pull) * min(sizes))
     turns = [(weight, max(thrown)), (shaken + moved, swung + carried)]
     quick = min((gain / rate for gain, rate in turns if rate > 0.0), default=0.0)
-    return Scales(weight or pull, pull, speed, fall, quick, float(sum(rate for _, rate in turns)))
+    braking, given = pull * min(scene.contact.mu, 1.0), float(sum(rate for _, rate in turns))
+    return Scales(weight or pull, pull, braking, speed, fall, quick, given)
 
 
 def size_of_motion(block: Block, axes: Vector) -> float:

@@ -14,12 +14,12 @@ SLOW = 2.0  # over the velocity change by friction in a step: slower slip could 
 
 
 @inlined
-def least_slip_speed(span: float, pull: float, tolerance: float) -> float:
+def least_slip_speed(span: float, braking: float, tolerance: float) -> float:
     """The speed [m/s] below which a contact does not slip, after a step of `span` [s].
 
-    It is due to the tolerance [m/s] of the solution. pull: see `vv.engines.rigid.scales`.
+    It is due to the tolerance [m/s] of the solution. braking: see `vv.engines.rigid.scales`.
     """
-    return larger(STILL * pull * span, 10.0 * tolerance)
+    return larger(STILL * braking * span, 10.0 * tolerance)
 
 
 @lent

@@ -32,7 +32,7 @@ def unit(a: Vector) -> Vector:
     return np.asarray(a / np.linalg.norm(a))
 
 
-@pytest.mark.parametrize(("span", "due"), [(1e-3, 3e-8), (1.0, STILL * 50.0)])
+@pytest.mark.parametrize(("span", "due"), [(1e-3, 3e-8), (1e3, STILL * 5e4)])
 def test_slip_is_slower_than_rounding_of_a_step_or_of_the_solution(span: float, due: float) -> None:
     assert least_slip_speed(span, 50.0, 3e-9) == pytest.approx(due)
 

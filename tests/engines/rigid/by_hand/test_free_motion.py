@@ -214,6 +214,9 @@ def test_scales_are_those_of_forces_motions_and_sizes() -> None:
     found = scales(made)
     assert found.weight == pytest.approx(weight)
     assert found.pull == pytest.approx(pull)
+    assert found.braking == pytest.approx(pull * made.contact.mu)
+    rough = scales(dataclasses.replace(made, contact=Contact(np.inf, mu=1.5)))
+    assert rough.braking == pytest.approx(pull)
     assert found.speed == pytest.approx(thrown + carried + np.sqrt(pull * min(sizes)))
     assert found.fall == pytest.approx(np.sqrt(weight * min(sizes)))
     assert found.quick == pytest.approx(min(weight / thrown, (6.0 + moved) / (swung + carried)))
@@ -255,6 +258,7 @@ def test_residuals_asked_of_small_scenes_follow_speeds_and_weights(field: float)
     assert setting.tolerance == pytest.approx(due, abs=0.0)
     assert setting.finest == pytest.approx(FINE * known.weight * DT, abs=0.0)
     assert setting.pull == pytest.approx(known.pull)
+    assert setting.braking == pytest.approx(known.braking)
 
 
 @pytest.mark.parametrize(("fastest", "apart", "due"), [

@@ -157,7 +157,7 @@ def test_a_slip_begins_within_a_part_of_a_step_of_where_it_is_said_to(
     }
     for name, one in replaced.items():
         monkeypatch.setattr(events, name, one)
-    setting = SimpleNamespace(pull=0.0, tolerance=0.0, slack=0.0)
+    setting = SimpleNamespace(pull=0.0, braking=0.0, tolerance=0.0, slack=0.0)
     search: Any = events.time_to_slip_start
     found = search.py_func(setting, [0.0], None, 0.0, dt, dt, None, attempt(0, [0.0], 0.0, dt)) / dt
     if lasts is None:

@@ -66,7 +66,13 @@ def judged(
     v, w = np.random.default_rng(2).normal(size=(2, 4, 3))
     known = {"gap": np.zeros(6), "slack": 0.0, "opens": np.zeros(6), "known": np.ones(6, bool)}
     setting: Any = SimpleNamespace(
-        slack=1e-9, pull=pull, tolerance=tolerance, fewest=0, bends=2, mass=np.ones(3)
+        slack=1e-9,
+        pull=pull,
+        braking=0.0,
+        tolerance=tolerance,
+        fewest=0,
+        bends=2,
+        mass=np.ones(3),
     )
     friction = rubbing(3, slides=False)._replace(d=sliding)
     nothing: Any = None

@@ -167,7 +167,8 @@ def time_to_slip_start(
             late = marked(trial.begun)
             then = copy_of(state)
             move(setting, then, trial, span)
-            known = past_after(trial, span, least_slip_speed(span, setting.pull, setting.tolerance))
+            least = least_slip_speed(span, setting.braking, setting.tolerance)
+            known = past_after(trial, span, least)
         if not late:
             glimpse = attempt(
                 setting, then, now + span, GLIMPSE * dt, contacts, known, setting.slack

@@ -193,9 +193,9 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     trial = attempt(
                         setting, state, now, whole, contacts, past, APART * setting.slack
                     )
-                span, least = whole, least_slip_speed(whole, setting.pull, setting.tolerance)
+                span, least = whole, least_slip_speed(whole, setting.braking, setting.tolerance)
                 if impact:
-                    least = least_slip_speed(dt, setting.pull, setting.tolerance)
+                    least = least_slip_speed(dt, setting.braking, setting.tolerance)
                 elif divisible and marked(trial.ended):
                     span = time_to_slip_end(setting, state, past, now, whole, dt, contacts, trial)
                     least = larger(least, NEARLY * setting.pull * whole)

@@ -96,6 +96,7 @@ class Space:
             * min(size_of_motion(block, scene.axes) for block in blocks),
             step=dt,
             pull=known.pull,
+            braking=known.braking,
             tolerance=FINEST * min(known.speed, known.given + LONG * known.pull * dt)
             if small
             else min(COARSE * known.speed, CRAWLS * known.fall),

@@ -28,9 +28,9 @@ class Setting(NamedTuple):
     mass: (n,) [kg]; inertia: (n, 3, 3) at t = 0 [kg m2]; inverse: (b, 3, 3) projected inverse
     masses [1/kg]; hold_spin: (n, 3, 3) projectors on free spins; force: (n, 3) gravity and loads
     [N]; depth: (3,) see `depth_axis`; moves: (n,); mu; slack [m]: smaller gaps count as zero;
-    step [s], which trials may take in parts; pull [m/s2]: see `vv.engines.rigid.scales`; tolerance,
-    finest [m/s]: the largest and the smallest residual asked, the latter of many blocks in the
-    first step if they start at rest; fewest, most: numbers of sweeps;
+    step [s], which trials may take in parts; pull, braking [m/s2]: see `vv.engines.rigid.scales`;
+    tolerance, finest [m/s]: the largest and the smallest residual asked, the latter of many blocks
+    in the first step if they start at rest; fewest, most: numbers of sweeps;
     bends: iterations in which friction follows the direction of slip; drives: motions of the
     walls, and drive_start (w + 1,), where that of each begins; shaking; solver: the address of the
     kernel that solves the contacts of many blocks; zero for few.
@@ -49,6 +49,7 @@ class Setting(NamedTuple):
     slack: float
     step: float
     pull: float
+    braking: float
     tolerance: float
     finest: float
     fewest: int

@@ -175,7 +175,7 @@ def attempt(
         held = (slack > setting.slack and not known[c]) or (
             before[c] >= 0 and past.still[before[c]]
         )
-        if speed > least_slip_speed(span, setting.pull, setting.tolerance) and not held:
+        if speed > least_slip_speed(span, setting.braking, setting.tolerance) and not held:
             put(friction.d, c, add_scaled(ZERO, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
     tolerance = residual_asked(setting, fastest, apart)
@@ -204,7 +204,7 @@ def solved(
     act_at_midstep(problem, acted, middle, turn)
     sweeps, left = converged(setting, problem, setting.fewest, tolerance)
     begun, ended = unmarked(count), unmarked(count)
-    any_ended, least = False, least_slip_speed(span, setting.pull, setting.tolerance)
+    any_ended, least = False, least_slip_speed(span, setting.braking, setting.tolerance)
     most = larger(least, NEARLY * setting.pull * span)
     for c in range(count):
         n, d = at(joints.normal, c), at(friction.d, c)

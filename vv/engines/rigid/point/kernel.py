@@ -28,13 +28,13 @@ from vv.scene import Vector
 def slip_ended(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) -> bool:
     """Whether a slip along d ended or reversed within a trial of `span` [s]."""
     slips = touched and touch.p > 0.0 and dot(d, d) > 0.0
-    return slips and dot(touch.u, d) <= least_slip_speed(span, ground.pull, ground.fine)
+    return slips and dot(touch.u, d) <= least_slip_speed(span, ground.braking, ground.fine)
 
 
 @lent
 def least_begun_slip(ground: Ground, span: float) -> float:
     """The least speed [m/s] of a slip that has begun within a trial of `span` [s]."""
-    return max(NEARLY * ground.pull * span, least_slip_speed(span, ground.pull, ground.fine))
+    return max(NEARLY * ground.pull * span, least_slip_speed(span, ground.braking, ground.fine))
 
 
 @lent
@@ -142,7 +142,7 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                         continue
                 slip = tangential(ground, u_old)
                 speed, d = np.sqrt(dot(slip, slip)), ZERO
-                if speed > least_slip_speed(whole, ground.pull, ground.fine) and not stopped:
+                if speed > least_slip_speed(whole, ground.braking, ground.fine) and not stopped:
                     d = add_scaled(ZERO, 1.0 / speed, slip)
                 ended = False
                 touch = (

@@ -60,6 +60,7 @@ class Point:
             shaking=drive(scene.shaking or NO_MOTION),
             hold=hold,
             pull=known.pull,
+            braking=known.braking,
             fine=FINEST * (known.given + known.pull * dt),
             quick=known.quick,
         )

@@ -24,7 +24,7 @@ class Ground(NamedTuple):
 
     gravity, load: accelerations [m/s2]; normal, gap [m]: of the plane at t = 0; mu; base: the
     motion of the plane; shaking: an acceleration; hold: (3, 3) projector on the free directions,
-    which contain the normal and the motion of the base; pull, quick: see
+    which contain the normal and the motion of the base; pull, braking, quick: see
     `vv.engines.rigid.scales`; fine: an upper bound on the rounding of slip velocities [m/s].
     """
 
@@ -37,6 +37,7 @@ class Ground(NamedTuple):
     shaking: Drive
     hold: Vector
     pull: float
+    braking: float
     fine: float
     quick: float
 
@@ -198,7 +199,7 @@ def two_half_steps(
     there = add_scaled(add_scaled(x, 0.5 * half, v), 0.5 * half, end)
     slip = tangential(ground, touch.u)
     speed, d = np.sqrt(dot(slip, slip)), ZERO
-    if speed > least_slip_speed(half, ground.pull, ground.fine):
+    if speed > least_slip_speed(half, ground.braking, ground.fine):
         d = add_scaled(ZERO, 1.0 / speed, slip)
     return trial_step(ground, there, end, now + half, half, d)
 

@@ -25,7 +25,7 @@ from vv.engines.rigid.limits import (
 )
 
 pytestmark = pytest.mark.usefixtures("in_python")
-DT, SLACK, FAST, PULL = 0.01, 3e-9, 2.0, 20.0
+DT, SLACK, FAST, PULL, BRAKING = 0.01, 3e-9, 2.0, 20.0, 9.0
 WIDE = SLACK + HITS * DT * FAST
 ASKED = ("begun", "ended", "landing", "ends", "starts", "acted", "may", "even")
 
@@ -60,7 +60,9 @@ class Told:
             "fill_forces": lambda *_: self.asked.append("forces"),
         }.items():  # fmt: skip
             patch.setattr(kernel, name, made)
-        setting: Any = SimpleNamespace(mass=np.ones(blocks), slack=SLACK, pull=PULL, tolerance=0.0)
+        setting: Any = SimpleNamespace(
+            mass=np.ones(blocks), slack=SLACK, pull=PULL, braking=BRAKING, tolerance=0.0
+        )
         path, energy = np.zeros((2, blocks, 9)), np.zeros((2, 8))
         self.report, reaction = np.zeros((2, 4)), np.zeros((2, blocks + 1, 6))
         zero = np.zeros((blocks, 3))
@@ -101,7 +103,7 @@ def test_a_step_without_events_is_one_trial(monkeypatch: pytest.MonkeyPatch) -> 
     told = Told(monkeypatch)
     assert told.trials == steps((0.0, 1.0, SLACK))
     assert told.asked == ["landing", "may", "even", "forces"]
-    assert told.past == [pytest.approx((1.0, STILL * PULL * DT))]
+    assert told.past == [pytest.approx((1.0, STILL * BRAKING * DT))]
     assert told.works == [False]
 
 
@@ -121,7 +123,7 @@ def test_a_step_ends_at_a_landing_and_an_impact_takes_no_time(
     assert told.asked.count("landing") == (3 if acted else 2)
     assert told.asked.count("forces") == 2
     assert [over for over, _ in told.past] == pytest.approx([0.4, 1.0 / CUTS, rest])
-    assert told.past[1][1] == pytest.approx(STILL * PULL * DT)
+    assert told.past[1][1] == pytest.approx(STILL * BRAKING * DT)
 
 
 @pytest.mark.parametrize("span", [0.3, 0.05])
@@ -131,7 +133,7 @@ def test_a_step_ends_where_slip_does_and_brief_forces_are_averaged(
     told = Told(monkeypatch, ended=[True, False, False], ends=[span])
     assert told.trials == steps((0.0, 1.0, SLACK), (0.0, span, SLACK), (span, 1.0 - span, SLACK))
     assert told.past[0] == pytest.approx((max(span, BRIEF), NEARLY * PULL * DT))
-    assert told.past[1][1] == pytest.approx(STILL * PULL * (1.0 - span) * DT)
+    assert told.past[1][1] == pytest.approx(STILL * BRAKING * (1.0 - span) * DT)
 
 
 def test_a_slip_that_ends_at_once_and_one_that_jams_are_tried_again(

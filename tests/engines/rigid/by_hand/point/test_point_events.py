@@ -23,7 +23,7 @@ from vv.scene import Harmonic, Pulse, Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
 RIGHT, UP = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
-SPAN, PULL, FINE, MU, G = 1e-2, 12.0, 1e-9, 0.4, 10.0
+SPAN, PULL, BRAKING, FINE, MU, G = 1e-2, 12.0, 5.0, 1e-9, 0.4, 10.0
 HERTZ = 0.5
 PUSH = Harmonic(np.array([8.0, 0.0, 0.0]), np.array([HERTZ, 0.0, 0.0]))
 
@@ -33,7 +33,7 @@ def ground(**changes: Any) -> Ground:
     given: dict[str, Any] = {
         "gravity": (0.0, 0.0, -G), "load": ZERO, "normal": UP, "gap": 0.0, "mu": MU,
         "base": drive(NO_MOTION), "shaking": drive(PUSH), "hold": np.eye(3), "pull": PULL,
-        "fine": FINE, "quick": 1.0, **changes,
+        "braking": BRAKING, "fine": FINE, "quick": 1.0, **changes,
     }  # fmt: skip
     return Ground(**given)
 
@@ -43,7 +43,7 @@ def ground(**changes: Any) -> Ground:
 def test_a_slip_has_ended_that_is_slower_than_rounding_or_reversed(
     part: float, ended: bool, fine: float
 ) -> None:
-    least = max(10.0 * fine, STILL * PULL * SPAN)
+    least = max(10.0 * fine, STILL * BRAKING * SPAN)
     made = ground(fine=fine)
     touch = Touch((part * least, 1.0, 0.0), 1.0, ZERO)
     assert bool(slip_ended(made, touch, True, RIGHT, SPAN)) == ended

@@ -175,7 +175,8 @@ def test_a_point_has_the_forces_per_mass_the_gap_and_the_scales_of_its_scene() -
         assert ground.gravity == pytest.approx(gravity)
         assert ground.load == pytest.approx(np.array([1.0, 2.0, 3.0]) @ AXES)
         assert ground.gap == pytest.approx(due, abs=1e-15)
-        assert (ground.mu, ground.pull, ground.quick) == (MU, known.pull, known.quick)
+        assert (ground.mu, ground.pull, ground.braking) == (MU, known.pull, known.braking)
+        assert ground.quick == known.quick
         assert ground.fine == pytest.approx(FINEST * (known.given + known.pull * DT), abs=0.0)
         per_mass = np.arange(1.0, 17.0).reshape(2, 8)
         joules = block.mass * np.array([[1, 2, 3, 4, 5, 13, 8, 0], [9, 10, 11, 12, 13, 29, 16, 0]])

@@ -41,7 +41,7 @@ def ground(**changes: Any) -> Ground:
     given: dict[str, Any] = {
         "gravity": tuple(GRAVITY), "load": tuple(LOAD), "normal": tuple(NORMAL), "gap": 0.02,
         "mu": 0.4, "base": drive(BASE), "shaking": drive(SHAKEN), "hold": HOLD, "pull": 12.0,
-        "fine": 1e-9, "quick": 5.0, **changes,
+        "braking": 5.0, "fine": 1e-9, "quick": 5.0, **changes,
     }  # fmt: skip
     return Ground(**given)
 
