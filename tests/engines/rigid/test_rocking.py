@@ -10,10 +10,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from cases.blocks.rocking import CASE as ROCKING
+from cases.blocks.rocking_restitution import CASE as RESTITUTION
 from tests.engines.rigid.test_motion import solved
 from tests.scenes.blocks.block_scenes import ACROSS, DOWN, FLOOR, IN_PLANE, G, box
 from vv.ask import Ask, Knobs, Status
-from vv.case import Series
+from vv.case import Scalar, Series
 from vv.engines import rigid
 from vv.scene import Block, Contact, Scene, rotated, rotation_about_z
 
@@ -76,6 +77,17 @@ def test_three_impacts_are_met_at_second_order() -> None:
     coarse, fine = rocked("released", 2e-3), rocked("released", 2.5e-4)
     assert fine <= 1e-6
     assert np.log2(coarse / fine) / 3 == pytest.approx(2.0, abs=0.15)
+
+
+@pytest.mark.parametrize("b", [0.002, 0.004, 0.007])
+def test_the_edge_of_a_slender_block_lands_within_a_step_however_slowly_it_falls(b: float) -> None:
+    """It lands at 5 % of the velocity that weight gives in a step, which is 250 times its own."""
+    p = RESTITUTION.defaults("aspect-3") | {"b": b}
+    trial = RESTITUTION.declare("aspect-3", p)
+    kept = trial.quantities[0]
+    assert isinstance(kept, Scalar)
+    run = rigid.solve(trial.study.ask(Knobs(1e-3)))
+    assert kept.observe(run) == pytest.approx(kept.reference, rel=2e-6)
 
 
 def test_a_block_just_below_the_threshold_comes_back_and_just_beyond_it_overturns() -> None:

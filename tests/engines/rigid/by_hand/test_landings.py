@@ -10,8 +10,15 @@ import pytest
 
 from tests.engines.rigid.test_momentum import pile
 from tests.scenes.blocks.block_scenes import DOWN, FLOOR, HELD, box
-from vv.engines.rigid.general.landing import earliest_landing, impact_acted, time_to_closing
+from vv.engines.rigid.general.landing import (
+    earliest_landing,
+    gain_of_closing,
+    impact_acted,
+    speed_of_closing,
+    time_to_closing,
+)
 from vv.engines.rigid.general.model import Space
+from vv.engines.rigid.general.setting import least_impact_speed
 from vv.engines.rigid.limits import CLOSELY, GENTLY, LOOSELY, SLOWLY, SMALL, TOUCHING
 from vv.engines.rigid.slip import first_root
 from vv.engines.rigid.solver.assembly import Joints
@@ -105,7 +112,8 @@ def test_a_gap_closes_where_the_parabola_through_a_trial_says(
 
 
 def _earliest(limits: Any, trial: Any) -> float:
-    return earliest_landing(limits, trial, DT)
+    fast = least_impact_speed(limits, DT)
+    return earliest_landing(limits, trial, DT, fast)
 
 
 earliest: Any = numba.njit(_earliest)
@@ -139,6 +147,33 @@ def test_what_does_not_act_or_closes_softly_is_no_landing(
 def test_a_closed_contact_that_moves_fast_lands(opens: float) -> None:
     found = earliest(Limits(PULL, SLACK, 0.0), tried(0.0, opens, 1.0))
     assert found == pytest.approx(max(0.0, 2.0 * opens / PULL))
+
+
+def _closes(limits: Any, trial: Any) -> float:
+    return speed_of_closing(limits, trial)
+
+
+def _gained(limits: Any, trial: Any, free: Any) -> float:
+    return gain_of_closing(limits, trial, free)
+
+
+@pytest.mark.parametrize(("push", "times", "gain"), [
+    ([1.0, 0.0], [-1.1, -7.0], 4.1), ([0.0, 1.0], [-5.0, -1.5], 4.5),
+    ([1.0, 1.0], [-4.0, -2.0], 7.0), ([1.0, 1.0], [-0.9, 3.0], 0.0),
+    ([0.0, -1.0], [-7.0, -7.0], 0.0),
+])  # fmt: skip
+def test_a_contact_that_begins_to_act_gains_what_its_velocity_changes_without_it(
+    push: list[float], times: list[float], gain: float
+) -> None:
+    """At most, in units of the least velocity that counts; without contact it is 3 at the end."""
+    closes: Any = numba.njit(_closes)
+    gained: Any = numba.njit(_gained)
+    limits, unit = Limits(PULL, SLACK, 1e-9), 1e-9 * GENTLY
+    trial = tried(0.0, np.array(times) * unit, push, 9.0 * unit)
+    free = tried(0.0, 0.0, 0.0, 3.0 * unit)
+    counts = [-k for k, p in zip(times, push, strict=True) if p > 0.0 and k < -1.0]
+    assert closes(limits, trial) == pytest.approx(max(counts, default=0.0) * unit)
+    assert gained(limits, trial, free) == pytest.approx(gain * unit)
 
 
 def _acted(limits: Any, trial: Any) -> bool:

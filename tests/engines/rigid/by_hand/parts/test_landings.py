@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from vv.engines.rigid.general import landing
-from vv.engines.rigid.limits import APART, LANDED, SHORTLY
+from vv.engines.rigid.limits import APART, GENTLY, LANDED, SHORTLY, SLOWLY
 
 pytestmark = pytest.mark.usefixtures("in_python")
-DT, SLACK = 1e-2, 1e-9
+DT, SLACK, FAST = 1e-2, 1e-9, 5.0  # the least velocity of an impact beside weight
 
 
 class Falls:
@@ -19,10 +19,19 @@ class Falls:
 
     def __init__(self, patch: pytest.MonkeyPatch, course: Any, first: float) -> None:
         self.course, self.spans = course, list[float]()
+        self.closes: float = 0.0
+        self.gained: float = 0.0
+        self.asked = list[float]()
         patch.setattr(landing, "attempt", self._attempt)
         patch.setattr(landing, "time_to_closing", self._closing)
-        patch.setattr(landing, "earliest_landing", lambda *_: first)
-        self._spread = 0.0
+        patch.setattr(landing, "earliest_landing", lambda *given: self._earliest(first, given[-1]))
+        patch.setattr(landing, "least_impact_speed", lambda *_: FAST)
+        patch.setattr(landing, "speed_of_closing", lambda *_: self.closes)
+        patch.setattr(landing, "gain_of_closing", lambda *_: self.gained)
+
+    def _earliest(self, first: float, fast: float) -> float:
+        self.asked.append(fast)
+        return first if not self.gained or self.closes > fast else float("inf")
 
     def _attempt(self, setting: Any, state: Any, now: float, span: float, *given: Any) -> Any:
         assert (now, given[-1]) == (0.5, APART * SLACK)
@@ -37,7 +46,7 @@ class Falls:
 
     def found(self, whole: float = DT) -> tuple[float, bool]:
         """The time to a landing, in steps, and whether there is one."""
-        setting: Any = SimpleNamespace(slack=SLACK)
+        setting: Any = SimpleNamespace(slack=SLACK, tolerance=1e-9)
         nothing: Any = None
         time, there = landing.time_to_landing(
             setting, nothing, nothing, 0.5, whole, DT, nothing, nothing
@@ -50,6 +59,22 @@ def test_where_nothing_lands_the_step_is_whole(monkeypatch: pytest.MonkeyPatch) 
     assert told.found() == (1.0, False)
     assert told.found(0.3 * DT) == (0.3, False)
     assert not told.spans
+
+
+@pytest.mark.parametrize(("gained", "fast"), [
+    (3.0, 3.0 * SLOWLY), (1e-6, 1e-9 * GENTLY), (1e9, FAST),
+])  # fmt: skip
+def test_a_contact_slow_beside_weight_is_compared_with_what_it_gains_itself(
+    monkeypatch: pytest.MonkeyPatch, gained: float, fast: float
+) -> None:
+    """In a step, whatever the part of it that is left, and without the contact."""
+    told = Falls(monkeypatch, (3.0 * 0.2 * DT, -3.0, 0.0, 0.0), 0.1 * DT)
+    told.closes, told.gained = 3.0, 0.4 * gained
+    time, there = told.found(0.4 * DT)
+    assert told.asked == [FAST, pytest.approx(fast)]
+    assert told.spans[0] == 0.4 * DT
+    assert there is (fast < FAST)
+    assert time == pytest.approx(0.2 if there else 0.4, abs=10 * LANDED)
 
 
 @pytest.mark.parametrize("ends", [0.2, 0.55, 0.97])
