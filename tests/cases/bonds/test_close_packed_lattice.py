@@ -42,6 +42,14 @@ def test_no_step_counts_at_a_steady_rate(dt: float) -> None:
     assert max(off(TRIAL, ran(TRIAL.study.ask(Knobs(dt=dt)))).values()) < 0.3
 
 
+@pytest.mark.parametrize("gamma", [0.0005, 0.03, 0.09, 0.3])
+def test_modes_have_decayed_on_soft_shear_springs_too(gamma: float) -> None:
+    """At so small a strain that bonds hardly rotate, what is left of them would show."""
+    small = CASE.declare("82", {**CASE.defaults("82"), "gamma": gamma, "strain": 1e-9})
+    for knobs in small.study.rungs[Level.QUICK]:
+        assert max(off(small, ran(small.study.ask(knobs))).values()) < 0.7
+
+
 def test_springs_that_are_wrong_by_a_ten_thousandth_are_seen() -> None:
     ask = TRIAL.study.ask(Knobs(dt=1e-7))
     bonds = ask.scene.bonds
