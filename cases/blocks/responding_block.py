@@ -72,6 +72,7 @@ def _path(p: Parameters) -> Path:
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant == FREE and not p["mu"] * FLAT < SIDE:
         raise ValueError(f"mu = {p['mu']!r}; the plate would tip")
+    _responding_bounds.require_slow(p)
     goal, path = History(p["duration"], p["duration"] / SAMPLES), _path(p)
     axes = np.eye(3)[: directions(p)]
     motion = Motion(BLOCK, axes, path, goal.times(None), "m", _responding_bounds.free_fall(p))

@@ -57,6 +57,8 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("dda", "shaken-wedge", "along", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
         ("dda", "shaken-wedge", "along", {"phi": 0.0}, Knobs(1e-3, 1e9)),
         ("dda", "masonry", "slides", {"f": 3.18, "duration": 0.451}, Knobs(1e-3, 1e9)),
+        ("rigid", "responding-block", "3d", {"mu": 3.01}, Knobs(1e-3)),
+        ("rigid", "responding-block", "2d", {"mu": 8.31}, Knobs(1e-3)),
         ("dda", "elastic-block", "pressed", {"L": 0.1}, None),
         ("rigid", "shaken-fast", "5hz", {"f": 0.5}, Knobs(5e-4)),
         ("dda/generalised-alpha", "elastic-block", "coupled", {"b": 0.15}, None),

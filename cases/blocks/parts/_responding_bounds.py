@@ -25,6 +25,8 @@ GAP = 1e-10  # of the displacement: a gap at t = 0 that is too small for codes t
 LEAST = 2e-9  # a bound: the tolerance with which reversals are located
 EVEN = 1e-9  # of a number of steps: it is whole but for rounding
 STICKS = 0.45  # of the base's acceleration: with less friction than that the block always slips
+# of the same: with more friction than that the error of slip that turns is so many times (w dt)^2
+PASSES, SLOWER = 0.35, 2.4
 
 
 def directions(p: Parameters) -> int:
@@ -33,6 +35,20 @@ def directions(p: Parameters) -> int:
         if p[name] < 0:
             raise ValueError(f"{name} = {p[name]!r} m; an amplitude must be zero or more")
     return 3 if p["Dz"] > 0 else 2 if p["Dy"] > 0 else 1
+
+
+def require_slow(p: Parameters) -> None:
+    """Raise ValueError where the softest springs cannot follow a base along two directions.
+
+    It then shakes as fast as they swing, or faster.
+    """
+    own = float(np.sqrt(SPRING / MASS) / (2 * np.pi))
+    for size, name in (("D", "f"), ("Dy", "fy")):
+        if directions(p) > 1 and p[size] and not p[name] < own:
+            raise ValueError(
+                f"{name} = {p[name]!r} Hz; the base must shake more slowly than the softest "
+                f"springs swing, at {own:.4g} Hz"
+            )
 
 
 def free_fall(p: Parameters) -> float:
@@ -62,7 +78,7 @@ def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance
     one_way = directions(p) == 1
     rate, stops = p["mu"] * p["g"] * p["duration"] / way, _stops(p)
     # f in Hz: delays add up faster at higher frequencies
-    quick = 1 + p["f"] / 3 if one_way else 1.0
+    quick = 1 + p["f"] / 3 if one_way else _resounding(p)
     biased = _biased(p, rate)
     slips_on = _always_slips(p) or not one_way
     springs, whole = (late_springs(p), kept(p) / p["duration"]) if slips_on else (0.0, 0.0)
@@ -82,6 +98,18 @@ def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance
     }
 
 
+def _largest_acceleration(p: Parameters) -> float:
+    """The largest acceleration of the base along x and y [m/s2], at most."""
+    rates = 2 * np.pi * np.array([p["f"], p["fy"]])
+    return float(np.hypot(*(np.array([p["D"], p["Dy"]]) * rates**2)))
+
+
+def _resounding(p: Parameters) -> float:
+    """By which factor shaking near the frequency of the springs stretches them more."""
+    fastest = 2 * np.pi * max(p["f"], p["fy"])
+    return float(max(1.0, 1 / max(abs(1 - MASS * fastest**2 / SPRING), EPS)))
+
+
 def _stops(p: Parameters) -> float:
     """The steps by which slip is late because the base stops along both axes, over the run.
 
@@ -93,7 +121,7 @@ def _stops(p: Parameters) -> float:
     if directions(p) == 1:
         return 0.0
     rates = 2 * np.pi * np.array([p["f"], p["fy"]])
-    gained = float(np.hypot(*(np.array([p["D"], p["Dy"]]) * rates**2)) * STEP)
+    gained = _largest_acceleration(p) * STEP
     slow = float(rates.min())
     return p["duration"] * slow / (2 * np.pi) if p["mu"] * p["g"] / slow < 2 * gained else 0.0
 
@@ -190,14 +218,17 @@ def _second(p: Parameters) -> Tolerance:
 def _rotating(p: Parameters, path: Path, way: float) -> Tolerance:
     """For slip whose direction rotates."""
     omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
+    turns = SLOWER if p["mu"] * p["g"] > PASSES * _largest_acceleration(p) else 0.6
     dragged = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
     return Tolerance(
-        max(0.6 * (omega * STEP) ** 2 * max(dragged / way, 1.0), 1e-7),
+        max(turns * (omega * STEP) ** 2 * max(dragged / way, 1.0), 1e-7),
         "friction acts along the mean direction of slip over a step. Where the slip is slow its "
         "direction turns by more than w dt of the fastest sine, and the error is the square of "
-        "that angle. Where slip passes within a time b of rest, friction is lost for pi dt^2/(48 "
-        "b), or for 1.2 sqrt(b dt) if that is less, and the speed is wrong by half of this until "
-        "friction has removed that of the base",
+        "that angle, four times as much (by trial) with friction of more than a third of the "
+        "base's acceleration, with which slip comes near to rest again and again. Where slip "
+        "passes within a time b of rest, friction is lost for pi dt^2/(48 b), or for 1.2 sqrt(b "
+        "dt) if that is less, and the speed is wrong by half of this until friction has removed "
+        "that of the base",
         dt=STEP,
         order=2,
         floor=1e-7,
@@ -233,8 +264,9 @@ def _late_reversals(
         "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, or by 4/3 sqrt(mu "
         "g/a)/w where the block slips on while the base accelerates by a; and reversals fall on "
         "whole steps; over the duration T the delays add up to mu g T "
-        f"({by_springs:g}/w + {by_steps:g} dt){more}. Where a period is no even number of steps, "
-        "friction acts for a step longer in one direction in each of them",
+        f"({by_springs:g}/w + {by_steps:g} dt){more}. Along two directions the part of springs "
+        "contains that the base shakes them, over 1 - (base's frequency/w)^2. Where a period is "
+        "no even number of steps, friction acts for a step longer in one direction in each of them",
         kn=SPRING,
         softness=0.5,
         late=by_steps * rate,

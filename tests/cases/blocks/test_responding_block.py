@@ -84,3 +84,22 @@ def test_springs_are_within_their_bounds_with_little_friction_or_none(
                 error = measured(run, q, method, knobs)[0].error
                 assert error is not None
                 assert error <= q.judge.tolerance(method).uncut(knobs), (knobs, method, q.name)
+
+
+@pytest.mark.parametrize(("variant", "name"), [("2d", "f"), ("2d", "fy"), ("3d", "fy")])
+def test_bases_that_shake_along_both_axes_as_fast_as_springs_swing_are_refused(
+    variant: str, name: str
+) -> None:
+    """A cube of 2500 kg on 1e8 N/m swings at 31.83 Hz."""
+    given = CASE.defaults(variant)
+    CASE.declare(variant, {**given, name: 31.8})
+    with pytest.raises(ValueError, match=f"{name} = 31.84 Hz; .* springs swing, at 31.83 Hz"):
+        CASE.declare(variant, {**given, name: 31.84})
+
+
+def test_springs_near_their_frequency_are_not_judged() -> None:
+    trial = CASE.declare("3d", {**CASE.defaults("3d"), "fy": 31.0})
+    judge = trial.quantities[0].judge
+    assert isinstance(judge, Exact)
+    assert judge.tolerance(Method.PENALTY).uncut(Knobs(1e-3, 1e8)) >= 1.0
+    assert judge.tolerance(Method.PENALTY).uncut(Knobs(2e-5, 1e11)) < 0.1
