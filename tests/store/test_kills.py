@@ -46,8 +46,10 @@ def test_a_killed_invocation_leaves_its_finished_results_usable(tiny: Tiny) -> N
         env={**os.environ, "FAKE_LOG": str(log)},
     )
     _wait_until(lambda: log.exists() and len(log.read_text().splitlines()) >= 3)
-    kept = tiny.root / ".vv" / "runs"
-    _wait_until(lambda: len(list(kept.rglob("*.npz"))) >= 2)  # the third ask hangs
+    kept, records = tiny.root / ".vv" / "runs", tiny.root / ".vv" / "records"
+    # the third ask hangs, so that nothing is written once two records are
+    _wait_until(lambda: len(list(kept.rglob("*.npz"))) >= 2)
+    _wait_until(lambda: len(list(records.rglob("[!.]*.json"))) >= 2)
     _wait_until(lambda: not list((tiny.root / ".vv").rglob(".part-*")))
     process.send_signal(signal.SIGKILL)
     process.wait()
