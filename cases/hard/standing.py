@@ -84,7 +84,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     pace = _pace(p)
     goal = History(pace * GOALS[variant].duration, pace * GOALS[variant].interval)
     quantity = (
-        _crown_sinking(p, goal, pace)
+        _crown_sinking(p, goal)
         if variant == "arch-thin"
         else _moved(seen, p, STANDS if variant == "arch" else _stack_bounds(p["n"]))
     )
@@ -134,8 +134,9 @@ def _stack_bounds(n: float) -> Exact:
     """The judge of a stack of n blocks, whose tilts add up towards the top."""
     creep = Tolerance(
         5e-7 * (n / 20) ** 2,
-        "contacts are solved to about 1e-8 m/s; over 10 s, with tilts that add up, a stack of "
-        "twenty may creep by micrometres, and another in proportion to the square of its height",
+        "contacts are solved to about 1e-9 m/s; over 10 s, with tilts that add up, a stack of "
+        "twenty may creep by half a micrometre, and another in proportion to the square of its "
+        "height",
         slack="a short stack is solved to rounding in most steps",
     )
     sweeps = Tolerance(
@@ -147,12 +148,11 @@ def _stack_bounds(n: float) -> Exact:
     return Exact(rigid | dict.fromkeys(SPRUNG, Tolerance(1e-12 * max(1.0, n / 20), PRESSED)))
 
 
-def _crown_sinking(p: Parameters, goal: History, pace: float) -> Quantity:
-    """pace: by what the steps of this class of scene are multiplied, see `_pace`."""
+def _crown_sinking(p: Parameters, goal: History) -> Quantity:
     falls = functools.partial(
         falling_arch.crown_drop, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
     )
-    judge = _fall_bounds(pace)
+    judge = _fall_bounds(_pace(p))
     _check_resolved(p, falls, goal, judge)
     return Series(
         "sunk", "d", "m", "downward displacement of the voussoir beside the crown",

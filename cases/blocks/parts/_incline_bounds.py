@@ -8,7 +8,7 @@ import functools
 import numpy as np
 
 from cases.blocks.parts import _reversing
-from cases.blocks.parts._vibrating import slips_on
+from cases.blocks.parts._vibrating import resounding, slips_on
 from reference_solutions.blocks import incline
 from vv.ask import Knobs, Method
 from vv.case import Exact, Parameters, Tolerance
@@ -207,7 +207,8 @@ def _stopping(p: Parameters, times: float) -> Tolerance:
     """For a block that stops and slips again; times: stretches of its shear spring per cycle."""
     cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
     stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sinking(p)) * MASS / SPRING
-    stretch *= _resounding(p)
+    fastest = max(p["f"] if p["A"] else 0.0, p["fy"] if p["Ay"] else 0.0)
+    stretch *= resounding(2 * np.pi * fastest, SPRING / MASS)
     speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
     return Tolerance(
         max(float(cycles * stretch / _largest_slip(p)), 1e-9),
@@ -231,13 +232,6 @@ def _sinking(p: Parameters) -> float:
     """
     alpha, phi = np.radians([p["alpha"], p["phi"]])
     return float(4.0 * 2.0 * np.pi * p["A"] * np.sin(alpha) * np.tan(phi))
-
-
-def _resounding(p: Parameters) -> float:
-    """By which factor shaking near the frequency of the springs stretches them more."""
-    fastest = max(p["f"] if p["A"] else 0.0, p["fy"] if p["Ay"] else 0.0)
-    near = MASS * (2 * np.pi * fastest) ** 2 / SPRING
-    return float(max(1.0, 1 / max(abs(1 - near), np.finfo(float).eps)))
 
 
 def _start_error(p: Parameters) -> float:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cases.blocks.parts._responding_slow import Path, kept, late_springs, sharp_turns
+from cases.blocks.parts._vibrating import resounding
 from vv.ask import Method
 from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
 
@@ -78,7 +79,8 @@ def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance
     one_way = directions(p) == 1
     rate, stops = p["mu"] * p["g"] * p["duration"] / way, _stops(p)
     # f in Hz: delays add up faster at higher frequencies
-    quick = 1 + p["f"] / 3 if one_way else _resounding(p)
+    fastest = 2 * np.pi * max(p["f"] if p["D"] else 0.0, p["fy"])
+    quick = 1 + p["f"] / 3 if one_way else resounding(fastest, SPRING / MASS)
     biased = _biased(p, rate)
     slips_on = _always_slips(p) or not one_way
     springs, whole = (late_springs(p), kept(p) / p["duration"]) if slips_on else (0.0, 0.0)
@@ -102,12 +104,6 @@ def _largest_acceleration(p: Parameters) -> float:
     """The largest acceleration of the base along x and y [m/s2], at most."""
     rates = 2 * np.pi * np.array([p["f"], p["fy"]])
     return float(np.hypot(*(np.array([p["D"], p["Dy"]]) * rates**2)))
-
-
-def _resounding(p: Parameters) -> float:
-    """By which factor shaking near the frequency of the springs stretches them more."""
-    fastest = 2 * np.pi * max(p["f"], p["fy"])
-    return float(max(1.0, 1 / max(abs(1 - MASS * fastest**2 / SPRING), EPS)))
 
 
 def _stops(p: Parameters) -> float:

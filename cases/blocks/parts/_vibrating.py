@@ -54,6 +54,11 @@ class Onset(NamedTuple):
         return float(v0 * min(1.0, part) * self.lasts)
 
 
+def resounding(frequency: float, square: float) -> float:
+    """By which factor shaking stretches springs more; frequency [1/s], square: w^2 [1/s2]."""
+    return float(max(1.0, 1 / max(abs(1 - frequency**2 / square), np.finfo(float).eps)))
+
+
 def slips_on(p: Parameters, mass: float, slid: float) -> Callable[[float], float]:
     """The error that these vibrations leave, over `slid` [m], at a stiffness kn [N/m]."""
 

@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 
-from cases.bonds.close_packed_failure import CASE, PULLED, UNSEEN, _Pressed
+from cases.bonds.close_packed_failure import CASE, UNSEEN
+from cases.bonds.parts._pressed_block import PULLED, Pressed
 from reference_solutions.bonds import lattice_failure, tetrahedral_unit
 from reference_solutions.bonds.close_packed_lattice import SIZES, lattice
 from reference_solutions.bonds.lattice_material import Element
@@ -21,11 +22,11 @@ SLIDES = abs(
 )  # the strain at which inclined bonds slide
 
 
-def pressed(last: float) -> _Pressed:
+def pressed(last: float) -> Pressed:
     """A block whose last level bond opens at this strain."""
     history: Any = SimpleNamespace(strain=[0.5 * last, last])
     unused: Any = None
-    return _Pressed(USUAL, unused, lambda: (history,), [])
+    return Pressed(USUAL, unused, lambda: (history,), [])
 
 
 @pytest.mark.parametrize(
