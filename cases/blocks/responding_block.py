@@ -91,6 +91,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     timed = (RUNGS[0], STIFFER) if variant in ("1d", "2d", "3d") else ()
     stiffest = {FREE: TURNING, "1d": STIFFER_YET}.get(variant, STIFFEST)
     rungs = _resolved_levels(levels(STIFFER, stiffest), stiffest, p)
+    if variant in ALIKE:
+        rungs[Level.QUICK] = tuple(rung for rung in rungs[Level.QUICK] if rung != stiffest)
     return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), rungs, timed), (*parts, *whole))
 
 
@@ -98,6 +100,7 @@ CHANCE = 0.2  # of the displacement: what may depend on how steps fit into the p
 STIFFER, STIFFEST = Knobs(2.5e-4, 1e9), Knobs(2e-5, 1e11)
 STIFFER_YET = Knobs(2e-5, 2e11)  # where friction that lags hides what 1 % less of it changes
 TURNING = Knobs(4e-5, 1e11)  # where the block may turn, as that costs much more in each step
+ALIKE = ("1d-mu-1", "2d")  # 1d and 3d show at level quick what their stiffest springs would
 RESOLVED = (Knobs(1e-4, 1e9), Knobs(5e-5, 1e9))  # where one step at most is left
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
