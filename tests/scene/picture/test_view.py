@@ -133,3 +133,14 @@ def test_the_faces_that_look_at_the_reader_are_seen_and_no_face_edge_on(size: fl
         found = view.faces(one, across)
         assert len(found) == count
         assert all(face[:, 1].mean() < one.centroid()[1] for face in found)
+
+
+@pytest.mark.parametrize("noise", [[0.0, 0.0, 0.0], [1e-14, 0.0, 0.0], [0.0, 1e-14, -1e-14]])
+def test_a_scene_along_one_line_is_seen_from_where_rounding_does_not_matter(
+    noise: list[float],
+) -> None:
+    line = np.array([2.0, -1.0, 2.0]) / 3.0
+    one = scene(balls([0.0 * line, line + noise], [line, -line]))
+    right, up = view.plane(one)
+    sight = np.array([2.0, 8.0, 2.0]) / np.sqrt(72.0)  # y without its part along the line
+    assert np.abs(view.towards(np.array([right, up]))) == pytest.approx(sight, abs=1e-12)

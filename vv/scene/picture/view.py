@@ -61,11 +61,23 @@ def faces(block: Block, seen: Vector) -> list[Vector]:
 
 def _sight(scene: Scene, shown: Vector) -> Vector:
     """The line of sight (3,), along which the shown directions have the least part."""
-    skew = np.linalg.eigh(shown.T @ shown)[1][:, 0]
-    skew = skew * np.sign(skew[np.abs(skew).argmax()])
+    skew = _least_seen(shown.T @ shown)
     axes = np.vstack([np.eye(3)[[1, 2, 0]], scene.axes[::-1], skew])
     hidden = [float(((shown @ axis) ** 2).sum()) for axis in axes]
     return np.asarray(axes[int(np.argmin(np.round(hidden, 9)))])
+
+
+def _least_seen(seen: Vector) -> Vector:
+    """The unit eigenvector (3,) of the smallest eigenvalue of a symmetric matrix (3, 3).
+
+    Of several, as where all lies on one line, it is the one nearest to y, or else z or x, so that
+    it does not depend on which of them a machine finds.
+    """
+    values, vectors = np.linalg.eigh(seen)
+    least = vectors[:, values - values[0] <= 1e-9 * values[-1]]
+    onto = least @ least.T
+    found = onto[:, max((1, 2, 0), key=lambda axis: round(onto[axis, axis], 9))]
+    return unit(found)
 
 
 def _up(scene: Scene, sight: Vector) -> Vector:
