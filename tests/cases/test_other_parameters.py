@@ -64,6 +64,7 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("dda/generalised-alpha", "elastic-block", "coupled", {"b": 0.15}, None),
         ("dem/published", "at-yield", "above", {"phi": 2.0}, Knobs(1e-3, 1e8)),
         ("rigid", "slow-slide", "slope", {"v0": 2e-3}, None),
+        ("rigid", "slow-slide", "level", {"mu": 0.003, "v0": 0.001}, None),
         ("dda", "shear-wave", "5", {"H": 2.0}, Knobs(2.5e-4, 1e12)),
         ("dda", "shear-wave", "5", {"D": 0.1}, Knobs(2.5e-4, 1e12)),
         ("dda", "shear-wave", "20", NEAR_A_SWING, Knobs(1e-4, 1e12)),

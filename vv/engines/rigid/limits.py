@@ -9,7 +9,8 @@ With more blocks there would be such an event in every step.
 FINE, ROUNDED = 2e-11, 1e-13
 """Residual of contact asked of small scenes: the larger of the first times the velocity that the
 weight of a block gains in a step, and the second times the speeds in a step. Summed over the steps,
-the first is this part of the effect of the weights; the second is rounding."""
+the first is this part of the effect of the weights; the second is rounding. Where
+friction gives less than a tenth of weight, a part of CLOSE times that takes the first's place."""
 
 FINEST, COARSE, CONVERGED = 3e-13, 1.9e-6, 4.6e-6
 """Over the speed of a scene: the largest residual asked of small scenes, where a larger one would
@@ -190,7 +191,8 @@ STILL = 1e-11
 """Over the velocity that friction gives in a step: slower slip has no direction.
 
 A slip that friction stops keeps this velocity to the end of its step, so that it is small beside
-what friction gives, however slippery the ground, and what a slope leaves of that.
+what friction gives, however slippery the ground, and what a slope leaves of that. Nor has slip
+below ten times the residual of its step.
 """
 
 BENDS = 6

@@ -27,7 +27,7 @@ from vv.engines.rigid.general.setting import (
     shift_at,
     wall_rates,
 )
-from vv.engines.rigid.limits import FINE, FINEST, GENTLY, LONG, ROUNDED, SLOWLY
+from vv.engines.rigid.limits import CLOSE, FINE, FINEST, GENTLY, LONG, ROUNDED, SLOWLY
 from vv.engines.rigid.scales import scales, size_of_motion
 from vv.scene import Contact, Harmonic, Scene, Vector, Wall, rotated, rotation_about_z
 
@@ -257,6 +257,11 @@ def test_residuals_asked_of_small_scenes_follow_speeds_and_weights(field: float)
     due = FINEST * min(known.speed, known.given + LONG * known.pull * DT)
     assert setting.tolerance == pytest.approx(due, abs=0.0)
     assert setting.finest == pytest.approx(FINE * known.weight * DT, abs=0.0)
+    for mu in (0.0, 1e-3):
+        rubbed = dataclasses.replace(made, contact=Contact(np.inf, mu=mu))
+        finest = Space(rubbed).arguments(DT)[0].finest
+        due = 0.05 * CLOSE * mu * known.pull if mu else FINE * known.weight
+        assert finest == pytest.approx(due * DT, abs=0.0)
     assert setting.pull == pytest.approx(known.pull)
     assert setting.braking == pytest.approx(known.braking)
 

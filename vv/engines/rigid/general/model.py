@@ -12,6 +12,7 @@ from vv.engines.blocks.geometry import depth_axis, planes, shapes
 from vv.engines.rigid.limits import (
     BENDS,
     BORNE,
+    CLOSE,
     COARSE,
     CRAWLS,
     FEWEST,
@@ -150,8 +151,13 @@ def _projector(axes: Vector, free: Mask) -> Vector:
 
 
 def _finest(known: Scales, blocks: int) -> float:
-    """The smallest residual asked, over the step [m/s2]; no bound for many blocks that move."""
+    """The smallest residual asked, over the step [m/s2]; no bound for many blocks that move.
+
+    Slip ends at ten times the residual (`least_slip_speed`), which is at most half of what CLOSE
+    leaves of it.
+    """
     if blocks <= SMALL:
-        return FINE * known.weight
+        gripped = 0.05 * CLOSE * known.braking
+        return min(FINE * known.weight, gripped) if gripped > 0.0 else FINE * known.weight
     at_rest = known.given == 0.0 and known.pull == known.weight
     return BORNE / blocks * known.weight if at_rest else np.inf

@@ -194,7 +194,8 @@ def solved(
 ) -> Trial:  # fmt: skip
     """Solve the contacts of a trial; the direction of friction follows the resulting slip.
 
-    It is one function, of many parameters, since a trial holds most of them.
+    A slip ends at what the residual of this trial may leave, since it keeps that to the end of the
+    step. It is one function, of many parameters, since a trial holds most of them.
     """
     p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
     v, w = problem.v, problem.w
@@ -204,8 +205,9 @@ def solved(
     act_at_midstep(problem, acted, middle, turn)
     sweeps, left = converged(setting, problem, setting.fewest, tolerance)
     begun, ended = unmarked(count), unmarked(count)
-    any_ended, least = False, least_slip_speed(span, setting.braking, setting.tolerance)
-    most = larger(least, NEARLY * setting.pull * span)
+    any_ended, least = False, least_slip_speed(span, setting.braking, larger(tolerance, left))
+    most = least_slip_speed(span, setting.braking, setting.tolerance)
+    most = larger(most, NEARLY * setting.pull * span)
     for c in range(count):
         n, d = at(joints.normal, c), at(friction.d, c)
         if (gaps.known[c] or gaps.gap[c] <= setting.slack) and dot(at(p, c), n) > 0.0:
