@@ -69,6 +69,7 @@ PROJECT = find()
         ("passing", "sheared", {"duration": 250.0}, "it takes 8e\\+06 steps that are so short"),
         ("stable-step", "viscous", {"eta": 0.0}, "n/w = 0; it must be from 0.04 to 1.5"),
         ("stable-step", "viscous", {"ks": 5.5e6}, "n/w = 13.7; it must be from 0.04 to 1.5"),
+        ("close-packed-energy", "pulled-82", {"d": 2e-5, "rate": 0.012}, "is 9.83e\\+09 steps of"),
         ("tetrahedral-path", "out", {"rate": 2000.0}, "rate = 2000.0 1/s; it must not exceed 250"),
     ],
 )
