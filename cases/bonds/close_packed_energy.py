@@ -12,6 +12,7 @@ from cases._papers import LIU_2017
 from cases.bonds.parts._first_to_open import require_opening
 from cases.bonds.parts._quartzite import BRITTLE, element_of, slower
 from cases.bonds.parts._specimens import block_of, specimen, viscosity
+from cases.bonds.parts._touching import TOUCHING, touching
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_strength import first_opening
@@ -151,20 +152,9 @@ def _rubs(unit: float, run: Run) -> int:
 
 
 def _met_again(p: Parameters, block: Lattice, held: float) -> Tolerance:
-    """The bound of the balance where broken bonds act as contacts; held: see `_balances`.
-
-    A contact that begins or ends within a step changes the energy by up to kn (v dt)^2/8, and by
-    4 mu^2 kn/ks of that as its shear spring is cut off. Elements that an opening bond sets free
-    separate at up to v^2 = 2 kn/m xb^2. The bonds of a cross-section may all be contacts, at random
-    places within a step and of either sign, which add up to the root of their number.
-    """
-    z, dt = block.position[block.bonds, 2], FINEST * slower(p)
-    layers = np.unique(np.round(z, 9 - math.floor(math.log10(p["d"]))))
-    cuts = 0.5 * (layers[1:] + layers[:-1])
-    crossed = max(int(((z[:, 0] - at) * (z[:, 1] - at) < 0).sum()) for at in cuts)
-    one = (p["kn"] * p["xb"] * dt) ** 2 / (4 * p["m"])
-    one *= 1 + 4 * p["mu_p"] ** 2 * p["kn"] / p["ks"]
-    return Tolerance(math.sqrt(crossed) * one / held, MET, dt=dt, order=2, slack=NONE)
+    """The bound of the balance where broken bonds act as contacts; held: see `_balances`."""
+    dt = FINEST * slower(p)
+    return Tolerance(touching(p, block, dt) / held, TOUCHING, dt=dt, order=2, slack=NONE)
 
 
 def gap(run: Run) -> Vector:
@@ -280,11 +270,6 @@ TURN = (
     "a bond that turns in a step is off by (w dt)^2 s/(12 d) of what it held, w^2 = 2 kn/m"
 )
 UNEXPLAINED = "the largest energy that no form explains, over the largest work"
-MET = (
-    "broken bonds that act as contacts begin and end within a step, each with an error of up to kn "
-    "(v dt)^2/8 and that of its shear spring; v is that of an opening bond, and as many bonds as a "
-    "cross-section has may do so, of either sign"
-)
 NONE = "at the parameters of the case no broken bond is touched again"
 SIGNS = {"pulled": 1.0, "pressed": -1.0}
 SOON = (

@@ -143,7 +143,7 @@ NOWHERE: Judge = Exact(dict.fromkeys(
               "remain"),
 ))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
-MOST = 1e7  # steps at the coarsest setting, some seconds of calculation
+MOST = 1e6  # steps at the coarsest setting; the finest of a default run takes half a minute
 JUDGED = 0.05  # the largest error that is judged
 
 LAW = (

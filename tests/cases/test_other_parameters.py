@@ -43,6 +43,8 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("dem", "resting", "held", {"mu": 0.1}, None),
         ("dem", "close-packed-failure", "82", {"d": 0.003}, Knobs(8e-8)),
         ("dem", "close-packed-energy", "pulled-82", {"d": 2e-5}, Knobs(8e-8)),
+        ("dem", "close-packed-strength", "pulled-82", {"kn": 14038149.0}, Knobs(4e-8)),
+        ("dem", "close-packed-strength", "pulled-82", {"ks": 24203706.0}, Knobs(4e-8)),
         ("dem", "bounce", "held", {"ks": 3e10}, None),
         ("dem", "bounce", "pair", {"ks": 3.2e7}, None),
         ("dem", "settling", "drop", LONG, Knobs(2.5e-5)),

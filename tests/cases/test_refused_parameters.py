@@ -55,6 +55,7 @@ PROJECT = find()
         ("packing", "seed-1", {"eta": 1e300}, "to come to rest; at most 72 s are run"),
         ("packing", "seed-1", {"eta": 1e-9}, "takes 4.8e\\+08 s to come to rest"),
         ("bounce", "floor", {"r1": 1e-4}, "steps that resolve a contact are 2.28e\\+09; at most"),
+        ("bounce", "floor", {"r1": 0.01}, "are 2.28e\\+06; at most 1e\\+06 are run"),
         ("bounce", "pair", {"gap": 3e-3}, "gap = 0.003 m, v_n = 0.04 m/s; the spheres must meet"),
         ("bounce", "floor", {"load": 1000.0}, "load = 1000.0 N; it must be 0"),
         ("bounce", "again", {"r2": 7e-5}, "the bodies overlap by 3.787e-05 m at most; it must be"),

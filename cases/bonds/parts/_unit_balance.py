@@ -8,6 +8,7 @@ from cases._energy_balance import balance
 from cases.bonds.parts._loading import RATES
 from cases.bonds.parts._quartzite import KN, M
 from cases.bonds.parts._rate_errors import RADIUS
+from cases.bonds.parts._touching import TOUCHING
 from reference_solutions.bonds import lattice_material, sliding_unit
 from reference_solutions.bonds.lattice_material import Element
 from vv.ask import Method
@@ -16,24 +17,26 @@ from vv.case import Parameters, Scalar, Tolerance
 
 def judged_balance(
     bound: float, slack: str = "", dt: float = 1e-8, both: bool = False, started: float = 0.0,
-    turned: float = 0.0,
+    turned: float = 0.0, touched: float = 0.0,
 ) -> Scalar:  # fmt: skip
     """The quantity `balance`, judged with a bound at the step dt [s].
 
     both: schemes of first order are allowed the error of second order as well, which they have.
     started, turned: what the start adds per step [1/s] in schemes of first order, see
-    `begun_with_drag`, and its part in those of second order, per step [1/s].
+    `begun_with_drag`, and its part in those of second order, per step [1/s]. touched: what broken
+    bonds add that act as contacts, see `_touching`.
     """
+    said = _said(started, touched)
     second = Tolerance(
-        bound + started * turned * dt**2, _said(started), dt=dt, order=2, slack=slack
+        bound + touched + started * turned * dt**2, said, dt=dt, order=2, slack=slack
     )
     if both:
         late = bound / dt + started
         first = Tolerance(
-            bound, f"{BOOKED}, in both orders", dt=dt, order=2, late=late, slack=slack
+            bound + touched, f"{said}. Both orders occur", dt=dt, order=2, late=late, slack=slack
         )
     else:
-        first = Tolerance(bound, _said(started), dt=dt, order=1, late=started, slack=slack)
+        first = Tolerance(bound, said, dt=dt, order=1, late=started, slack=slack)
     return balance({Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
 
 
@@ -80,8 +83,9 @@ def sliding_balance(p: Parameters, element: Element, held: float, dt: float) -> 
     })  # fmt: skip
 
 
-def _said(started: float) -> str:
-    return f"{BOOKED}. {STARTED}" if started else BOOKED
+def _said(started: float, touched: float) -> str:
+    more = (STARTED if started else "", AGAIN if touched else "")
+    return ". ".join((BOOKED, *filter(None, more)))
 
 
 BOOKED = (
@@ -97,4 +101,5 @@ STARTED = (
     "Drag acts from the start, and half a step of its power is charged too early or too late in "
     "schemes of first order, and eta dt/2m of that in those of second order"
 )
+AGAIN = f"At other parameters than the case's own {TOUCHING}"
 FEW = "in tension the bonds of the unit hardly rotate"
