@@ -132,8 +132,13 @@ def gained(p: Parameters, scene: Scene, run: Run) -> float:
 
 
 def _longer(p: Parameters) -> float:
-    """How many times as long as GOAL a pack takes to come to rest, since drag is weak or strong."""
-    longer = max(1.0, p["m"] / p["eta"] / FADES, SINKS * p["eta"] / (p["m"] * p["g"]))
+    """How many times as long as GOAL a pack takes to come to rest, since drag is weak or strong.
+
+    Strong drag slows the sinking of spheres, and as the last of them roll into place it outweighs
+    inertia: their soft motions take twice the time by which that is longer, found by trial.
+    """
+    sinks = SINKS * p["eta"] / (p["m"] * p["g"])
+    longer = max(1.0, p["m"] / p["eta"] / FADES, 2.0 * sinks - 1.0)
     if not longer <= LONGEST:
         raise ValueError(
             f"eta = {p['eta']!r} N s/m, m = {p['m']!r} kg, g = {p['g']!r} m/s2; the pack takes "

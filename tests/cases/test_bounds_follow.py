@@ -74,6 +74,7 @@ RIGHT = {
     "kharaz:linear kn=516000": "dem/default",
     "kharaz:linear ks=4.44e8": "dem/published",
     "packing:seed-1 kn=3e6": "dem/default",
+    "packing:seed-1 eta=0.6": "dem/default",
     "bounce:floor r1=3": "dem/published",
     "bounce:floor r1=3 mu=0.1": "dem/published",
     "passing:sheared m=1e-3": "dem/default",
