@@ -51,6 +51,8 @@ LONGER = 4  # rotation is damped only through the motion of the centres
 ALMOST = 3e-9  # of the displacement: what rotation may still add, a third of the tolerance
 # rounding of positions at which motion stops, over the tolerance of rest
 STALLS = 0.5 * 2.0**-52 / 1e-8
+KEPT = 10.0  # roundings of positions that nu shows at rest
+FINEST = 8  # times the finest step, of the level of the paper, is the coarsest
 DECAYS = 30.0  # time constants until 1e-13 of a disturbance is left
 
 
@@ -76,7 +78,8 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
     duration = REST * math.ceil(times / max(1.0, longer)) * max(1.0, longer)
     study = Ladder(scene, History(duration, duration / 10), SEEN, levels(STEP * longer))
     off = _detour.rest_errors(p, ks, fz, STEP * longer)
-    return Trial(study, _measured(kn, ks, d, state, fz, off))
+    rounded = _rounded(p, ks, STEP * longer / FINEST)
+    return Trial(study, _measured(kn, ks, d, state, fz, off, rounded))
 
 
 def _rest_multiple_turning(p: Parameters, load: Vector) -> int:
@@ -101,9 +104,7 @@ def _rest_multiple(p: Parameters, ks: float) -> int:
             f"eta = {p['eta']!r} N s/m; it must be positive: without viscosity the unit does not "
             "come to rest"
         )
-    moved = np.sqrt(p["m"] * _detour.MOVED)
-    w2 = np.linalg.eigvalsh(_detour.stiffness(p["kn"], ks) / np.outer(moved, moved))
-    n = p["eta"] / (2 * p["m"])
+    w2, n = _modes(p, ks)
     slowest = float((w2 / (n + np.sqrt(np.maximum(n**2 - w2, 0.0)))).clip(max=n).min())
     returns = float(np.where(w2 < n**2, w2 / (2 * n), np.sqrt(w2)).min())
     if STEP * slower(p) * returns * abs(p["strain"]) < STALLS:
@@ -115,9 +116,32 @@ def _rest_multiple(p: Parameters, ks: float) -> int:
     return max(1, int(np.ceil(DECAYS / slowest / REST)))
 
 
+def _modes(p: Parameters, ks: float) -> tuple[Vector, float]:
+    """The squares (2,) [1/s2] of the frequencies of the unit, and n [1/s] of its viscosity."""
+    moved = np.sqrt(p["m"] * _detour.MOVED)
+    w2 = np.linalg.eigvalsh(_detour.stiffness(p["kn"], ks) / np.outer(moved, moved))
+    return np.asarray(w2), p["eta"] / (2 * p["m"])
+
+
+def _rounded(p: Parameters, ks: float, dt: float) -> float:
+    """The part of the displacement that rounding of positions leaves at rest, at a step dt [s].
+
+    A mode that oscillates keeps a few roundings of positions. One with half of critical damping or
+    more, w < 2n, creeps to rest in the end, at about the rate w^2/2n, and stops where it moves by
+    less than half a rounding in a step. nu shows four times that, since it
+    is relative to 1/5 and the ratio of two displacements.
+    """
+    if not p["strain"]:
+        return 0.0
+    w2, n = _modes(p, ks)
+    creep = np.where(w2 < 4 * n**2, w2 / (2 * n), np.inf).min()
+    return float(2.0**-52 / abs(p["strain"]) * max(KEPT, 2.0 / (creep * dt)))
+
+
 def _measured(
-    kn: float, ks: float, d: float, state: State, fz: float, off: Mapping[str, _detour.RestErrors]
-) -> tuple[Quantity, ...]:
+    kn: float, ks: float, d: float, state: State, fz: float,
+    off: Mapping[str, _detour.RestErrors], rounded: float,
+) -> tuple[Quantity, ...]:  # fmt: skip
     """E, nu and displacements at rest: at finite strain, and to first order in the strain."""
     E, nu = lattice_material.youngs_modulus(kn, ks, d), lattice_material.poissons_ratio(kn, ks)
     small = tetrahedral_unit.small_strain(fz, kn, ks)
@@ -126,7 +150,7 @@ def _measured(
     return tuple(
         Scalar(
             f"{name}{mark}", f"{name}{sign}", unit, f"{what}, {where}",
-            functools.partial(observe, name, fz, d), value, scale, judge(off[name]),
+            functools.partial(observe, name, fz, d), value, scale, judge(off[name], rounded),
         )
         for where, mark, sign, observe, (modulus, poisson, x), judge in (
             ("at finite strain", "", "", _observed, path, _rest_bounds),
@@ -185,7 +209,7 @@ SETTLED = (
     "the state of rest does not depend on the step. Before it comes to rest the unit oscillates "
     "about the path of a slow load, and the incremental shear spring keeps what the oscillations "
     "of the two modes add up to; schemes that use the length of a bond at the end of a step add an "
-    "error of half a step"
+    "error of half a step. Positions are rounded, which small strains and slow creep show"
 )
 AT_MIDSTEP = (
     "schemes that rotate springs at mid-step do not lag; without shear springs there is nothing to "
@@ -198,9 +222,12 @@ LEANING = (
 )
 
 
-def _rest_bounds(off: _detour.RestErrors) -> Judge:
-    """The bounds of the state of rest against the path; off: the errors by oscillation."""
-    kept = 1e-8 + 1.1 * off.kept
+def _rest_bounds(off: _detour.RestErrors, rounded: float) -> Judge:
+    """The bounds of the state of rest against the path.
+
+    off: the errors by oscillation; rounded: that by rounding of positions.
+    """
+    kept = max(1e-8, rounded) + 1.1 * off.kept
     settled = Tolerance(kept, SETTLED, late=1.1 * off.late / off.dt, slack=AT_MIDSTEP)
     return Exact(
         {
@@ -215,7 +242,7 @@ def _rest_bounds(off: _detour.RestErrors) -> Judge:
     )
 
 
-def _linear(_: _detour.RestErrors) -> Judge:
+def _linear(_: _detour.RestErrors, __: float) -> Judge:
     """The bounds of the state of rest against Eqs. 2 to 6."""
     return Exact(
         {Method.LINEARISED: Tolerance(1e-12, "Eqs. 2a-d, 4 and 6 are linear, to rounding")},

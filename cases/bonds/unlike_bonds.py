@@ -201,10 +201,11 @@ def _spinning(p: Parameters, goal: History) -> Trial:
     def path(body: int) -> Callable[[Vector], Vector]:
         return lambda t: exact(t)[:, body]
 
-    dt, turned = COARSEST * _unit(p), (spin[row.bonds].mean(axis=1) ** 2).max() * p["duration"] / 2
+    dt, twist = COARSEST * _unit(p), float(np.abs(spin[row.bonds].mean(axis=1)).max())
+    turned = twist * max(twist * p["duration"], 1.0) / 2
     radians = FASTEST * p["duration"] / _unit(p)
     ahead = SHARE * (FASTEST * COARSEST) ** 2 / 24 * radians
-    judge = _judge(dt, ahead, turned=float(turned))
+    judge = _judge(dt, ahead, turned=turned)
     times = goal.times(None)
     quantities = tuple(
         Motion(Displacement(body), ACROSS, path(body), times, "m").component(
@@ -229,7 +230,8 @@ def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
 def _judge(dt: float, ahead: float, late: float = 0.0, turned: float = 0.0) -> Exact:
     """ahead, late: errors at the coarsest step dt by the leapfrog's phase, and by late forces.
 
-    turned: relative growth of shears that a step rotates to first order, over the step [1/s].
+    turned: relative growth of shears that a step rotates to first order, or how far those are off
+    that a step rotates half a step late, over the step [1/s].
     """
     exact = Tolerance(1e-11, "the answer is a sum of modes without events, known to rounding")
     second = Tolerance(
@@ -262,7 +264,7 @@ LATE = (
 )
 TURNED = (
     "; some codes rotate the shear with the twist W of its bond to first order, by which it grows "
-    "by (W dt)^2/2 a step"
+    "by (W dt)^2/2 a step, or half a step late, by which it is off by W dt/2"
 )
 TURNS_RIGHT = (
     "a code that rotates the shear exactly is off by the phase alone, which is small for spheres "
