@@ -131,16 +131,41 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _judge(p: Parameters, own: bool) -> Exact:
-    """On springs the wedge sinks by N/kn into each side, and 1/sin(xi/2) times as far in all.
+    """The bounds of each class of method.
 
     own: the parameters are the case's, at which codes come closer than they promise.
     """
-    xi, held = p["xi"], p["held"]
-    left = held / (1 - held) if held < 1 else 1.0
+    rigid = _on_rigid_contact(p, own)
+    if p["xi"] < 0.05:
+        return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
+    swings = Tolerance(
+        5e-4 / p["xi"] ** 2 * max(_left(p), 0.1) ** 2,
+        "the wedge sinks by N/(kn sin(xi/2)) and oscillates, and its friction with it. The error "
+        "of the displacement grows with the ratio of friction to the downhill force that is left, "
+        "and with its square, since the wedge then stops in each oscillation",
+        kn=1e9, softness=0.5,
+        slack="springs that start charged with the weight neither sink nor oscillate",
+    )  # fmt: skip
+    if p["held"] > JUST:
+        return Exact({**rigid, Method.PENALTY: swings}, not_judged={Method.LAGGING: HELD_BACK})
+    lagging = Tolerance(
+        6e-2, "friction is that of the previous iteration, while the wedge sinks and oscillates"
+    )
+    return Exact({**rigid, Method.PENALTY: swings, Method.LAGGING: lagging})
+
+
+def _left(p: Parameters) -> float:
+    """Friction over the downhill force that is left."""
+    return p["held"] / (1 - p["held"]) if p["held"] < 1 else 1.0
+
+
+def _on_rigid_contact(p: Parameters, own: bool) -> dict[Method, Tolerance]:
+    """The bounds of methods whose contact is rigid."""
+    xi, held, magnified = p["xi"], p["held"], max(_left(p), 1.0)
     driven = max(math.sin(math.radians(p["dip"])) * (1 - held), EPS) if held < 1 else 1.0
-    solved = max(2e-12 / xi, 1e-11) * max(left, 1.0)
+    solved = max(2e-12 / xi, 1e-11) * magnified
     second = Tolerance(
-        (solved if own else max(solved, SOLVED / driven)) + EPS / xi**2 * max(left, 1.0),
+        (solved if own else max(solved, SOLVED / driven)) + EPS / xi**2 * magnified,
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, and at other "
         "parameters to 2e-11 of the velocity that weight gains in a step, which adds up to that "
         "part of g, over the acceleration that remains; a narrow groove magnifies residuals by "
@@ -148,7 +173,7 @@ def _judge(p: Parameters, own: bool) -> Exact:
         "and 1/sin(xi/2) times as far out of the groove; rounding of the displacement adds 1e-11",
         slack="a wedge in the middle of its groove is rounded alike on both sides",
     )
-    rigid = {
+    return {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, exact to rounding"),
         Method.SECOND_ORDER: second,
         Method.STRAIGHT: second,
@@ -160,22 +185,6 @@ def _judge(p: Parameters, own: bool) -> Exact:
             slack="forces are constant: a scheme that starts in time has rounding errors only",
         ),
     }
-    if xi < 0.05:
-        return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
-    swings = Tolerance(
-        5e-4 / xi**2 * max(left, 0.1) ** 2,
-        "the wedge sinks by N/(kn sin(xi/2)) and oscillates, and its friction with it. The error "
-        "of the displacement grows with the ratio of friction to the downhill force that is left, "
-        "and with its square, since the wedge then stops in each oscillation",
-        kn=1e9, softness=0.5,
-        slack="springs that start charged with the weight neither sink nor oscillate",
-    )  # fmt: skip
-    if held > JUST:
-        return Exact({**rigid, Method.PENALTY: swings}, not_judged={Method.LAGGING: HELD_BACK})
-    lagging = Tolerance(
-        6e-2, "friction is that of the previous iteration, while the wedge sinks and oscillates"
-    )
-    return Exact({**rigid, Method.PENALTY: swings, Method.LAGGING: lagging})
 
 
 # of the downhill force: with more friction than that, lagging friction holds the wedge back
