@@ -76,7 +76,6 @@ def _moved(acceleration: Push, begin: float, t: Array, v: float) -> Array:
 
 def _slide(acceleration: Push, s: Array, v: float, way: float) -> tuple[float, bool]:
     """The time until which a slip lasts, at most the end of s, and whether it stops then."""
-    from scipy.optimize import brentq
 
     def speed(time: Array) -> Array:
         gained: Array = way * _moved(acceleration, s[0], time, v)[0]
@@ -87,12 +86,27 @@ def _slide(acceleration: Push, s: Array, v: float, way: float) -> tuple[float, b
     if not falls.size:
         return float(s[-1]), False
     low, high = s[falls[0]], s[falls[0] + 1]
-    return float(brentq(lambda time: float(speed(np.array(time))), low, high, xtol=1e-15)), True
+    return _zero(speed, low, high), True
+
+
+def _zero(function: Push, low: float, high: float) -> float:
+    """The time between two at which a function changes its sign.
+
+    Where forces cancel, at phi = alpha, it is rounding: at a single time it may have another sign
+    than among many. The end at which the function is smaller is then the zero.
+    """
+    from scipy.optimize import brentq
+
+    def at(time: float) -> float:
+        return float(function(np.array(time)))
+
+    if np.sign(at(low)) == np.sign(at(high)):
+        return float(min(low, high, key=lambda time: abs(at(time))))
+    return float(brentq(at, low, high, xtol=1e-15))
 
 
 def _rest(pull: Push, limit: Push, s: Array) -> tuple[float, float]:
     """The time until which a rest lasts, at most the end of s, and the direction of slip."""
-    from scipy.optimize import brentq
 
     def excess(time: Array) -> Array:
         return np.abs(pull(time)) - limit(time)
@@ -103,8 +117,7 @@ def _rest(pull: Push, limit: Push, s: Array) -> tuple[float, float]:
     if not over.size:
         return float(s[-1]), 0.0
     low, high = s[over[0] - 1], s[over[0]]
-    then = brentq(lambda time: float(excess(np.array(time))), low, high, xtol=1e-15)
-    return float(then), float(np.sign(pull(high)))
+    return _zero(excess, low, high), float(np.sign(pull(high)))
 
 
 def two_directions(
@@ -145,7 +158,6 @@ Drive = Callable[[Array | float], tuple[Array, Array, Array]]
 
 def _wake(drive: Drive, now: float, end: float, scale: float) -> float:
     """The first time at which |T| exceeds F, at most `end`."""
-    from scipy.optimize import brentq
 
     def excess(s: Array) -> Array:
         tx, ty, limit = drive(s)
@@ -159,7 +171,7 @@ def _wake(drive: Drive, now: float, end: float, scale: float) -> float:
     if over[0] == 0:
         return now
     low, high = s[over[0] - 1], s[over[0]]
-    return float(brentq(lambda time: float(excess(np.array(time))), low, high, xtol=1e-15))
+    return _zero(excess, low, high)
 
 
 def _turn(
