@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from adapters.pybullet.shapes import own_axes, why_no_shapes
+from adapters.pybullet.units import in_units_of_blocks
 from vv.ask import Ask, Displacement, Method, Velocity
 from vv.codes import Scheme
 from vv.codes.driver_adapter import DriverAdapter
@@ -26,6 +27,8 @@ DEFAULT = Scheme(
 DRIVER = Driver(PythonEnvironment("pybullet", ("pybullet",)), Path(__file__).with_name("driver.py"))
 NOTES = (
     "boxes are boxes, other blocks the hulls of their vertices, without margins; walls are boxes",
+    "lengths are in the power of two next to the size of the largest block, since limits of "
+    "distance are fixed numbers in its source",
     "a wall that moves is the frame of reference, its acceleration a force on the blocks",
     "locked rotations have no inverse inertia; no force acts along locked directions",
 )
@@ -47,11 +50,11 @@ def _why_no_base(ask: Ask) -> str | None:
 
 
 def _plan(ask: Ask) -> dict[str, Any]:
-    """The plan with the shape of each block, and the directions in which forces act."""
+    """The plan in units of blocks, with their shapes and the directions in which forces act."""
     plan = boxed(ask)
     blocks = [block | own_axes(block) for block in plan["blocks"]]
     driven = [any(block["free"][axis] for block in blocks) for axis in range(3)]
-    return {**plan, "blocks": blocks, "driven": driven}
+    return in_units_of_blocks({**plan, "blocks": blocks, "driven": driven})
 
 
 ADAPTER = DriverAdapter(

@@ -19,7 +19,10 @@ bullet.connect(bullet.DIRECT)
 
 
 def simulate(ask: Plan, watched: bool, watch: Stopwatch) -> tuple[object, Plan]:
-    """Build the scene and take all steps; values are displacements or velocities (.., time, 3)."""
+    """Build the scene and take all steps; values are displacements or velocities (.., time, 3).
+
+    Lengths of the ask are in its `unit` [m].
+    """
     bodies = build(ask)
     moving = [body for body in ask["blocks"] if any(body["free"])]
     seen = [(kind, bodies[body]) for kind, body in ask["observe"]]
@@ -45,7 +48,7 @@ def simulate(ask: Plan, watched: bool, watch: Stopwatch) -> tuple[object, Plan]:
             for row in speeds:  # halfway between the velocities before and after
                 values[row, step // ask["stride"]] += 0.5 * velocity(seen[row][1])
     watch.lap("steps")
-    return values, {}
+    return values * ask["unit"], {}
 
 
 class Base:
@@ -161,7 +164,9 @@ def read(ask: Plan, seen: list[tuple[str, Plan]], row: np.ndarray, base: Base, t
         row[number] = np.subtract(place, body["centre"])
         away = np.abs(np.where(body["free"], 0.0, row[number])).max()
         if away > DRIFT * ask["size"]:
-            reason = f"body {body['body']} moved {away:.3g} m along a locked direction"
+            reason = (
+                f"body {body['body']} moved {away * ask['unit']:.3g} m along a locked direction"
+            )
             raise RunError("error", f"{reason}, which PyBullet leaves free")
         row[number] += base.moved(t)
 

@@ -105,7 +105,8 @@ def block(number: int, **changes: Any) -> dict[str, Any]:
 
 def asked(**changes: Any) -> dict[str, Any]:
     whole = {
-        "dt": DT, "steps": 4, "stride": 2, "mu": 0.25, "size": 2.0, "gravity": [1.0, 7.0, -5.0],
+        "dt": DT, "steps": 4, "stride": 2, "mu": 0.25, "size": 2.0, "unit": 1.0,
+        "gravity": [1.0, 7.0, -5.0],
         "shaking": [], "until": None, "driven": [True, False, True], "walls": [],
         "blocks": [block(1)], "observe": [["displacement", 1], ["velocity", 1]],
     }  # fmt: skip
@@ -253,3 +254,9 @@ def test_a_body_that_leaves_its_lock_does_not_count(driver: Any, way: float, sai
         return
     driver.read(ask, [("displacement", bodies[1])], row, driver.Base(ask), 0.0)
     assert row[0] == pytest.approx([0.5, way, 0.25])
+
+
+def test_answers_are_in_metres_whatever_the_unit_of_the_plan(driver: Any) -> None:
+    metres, _ = driver.simulate(asked(), True, Stopwatch())
+    halves, _ = driver.simulate(asked(unit=0.5), True, Stopwatch())
+    assert np.array_equal(halves, 0.5 * metres)

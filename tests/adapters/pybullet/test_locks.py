@@ -24,6 +24,7 @@ def test_what_any_block_is_free_along_is_driven(monkeypatch: pytest.MonkeyPatch)
     blocks = [{"free": [True, False, False]}, {"free": [False, False, True]}]
     monkeypatch.setattr(adapters.pybullet, "boxed", lambda ask: {"blocks": blocks})
     monkeypatch.setattr(adapters.pybullet, "own_axes", lambda one: {"half": 1})
+    monkeypatch.setattr(adapters.pybullet, "in_units_of_blocks", lambda plan: plan)
     made: Any = adapters.pybullet._plan(None)  # type: ignore[arg-type]
     assert made["driven"] == [True, False, True]
     assert [one["half"] for one in made["blocks"]] == [1, 1]
