@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from bench.chance.holdouts import Draw, judged
 from vv.ask import Knobs
 from vv.case import Level, Search, Series
 from vv.plan.project import find
@@ -132,3 +133,23 @@ def test_a_block_that_lands_as_its_run_ends_is_refused(given: dict[str, float]) 
     assert path.reference is not None
     with pytest.raises(ValueError, match="too near one end for two outputs"):
         path.reference(np.zeros(1))
+
+
+@pytest.mark.parametrize(
+    ("case", "variant", "settings", "codes"),
+    [
+        ("laden-block", "turning", ("mu=3", "v=66"), "dda/published,dda/lagged"),
+        ("laden-block", "turning", ("mu=3.5", "v=300"), "dda/published"),  # spins and grows
+        ("rocking", "threshold", ("b=0.006",), "dda/lagged"),
+    ],
+)
+def test_what_a_code_is_known_to_do_elsewhere_is_not_red(
+    case: str,
+    variant: str,
+    settings: tuple[str, ...],
+    codes: str,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    monkeypatch.setenv("VV_DATA", str(tmp_path))
+    assert judged(PROJECT, Draw(case, variant, settings), codes) == ("green", [])

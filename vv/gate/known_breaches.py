@@ -27,12 +27,12 @@ class KnownBreach:
     schemes, versions, variants, law and rungs are globs; rungs are written as for `--rung`,
     dt=0.2,kn=1000000. breach: the smallest and the largest known breach, in the law's unit. At each
     such rung the breach must lie within the band; otherwise this is reported. elsewhere: the
-    largest breach of a law in J at parameters other than those of the case, over the largest energy
-    stored, or over the energy turned over if a dissipation is negative; a run that diverged there
-    has created energy, which the same entry knows. An entry without `breach` applies to such
-    parameters alone, unless it has rounding: there rounding decides at the parameters of the case
-    too whether the law is broken, and `elsewhere` limits the breach. expires: ISO date. Raises
-    ValueError naming the field, the value and the rule.
+    largest breach at parameters other than those of the case, over what the law allows; if the law
+    is in J, over the largest energy stored, or over the energy turned over if a dissipation is
+    negative; a run that diverged there has created energy, which the same entry knows. An entry
+    without `breach` applies to such parameters alone, unless it has rounding: there rounding
+    decides at the parameters of the case too whether the law is broken, and `elsewhere` limits the
+    breach. expires: ISO date. Raises ValueError naming the field, the value and the rule.
     """
 
     code: str
@@ -87,7 +87,7 @@ class KnownBreach:
 
     def knows(self, breach: Breach, record: Record) -> bool:
         """Whether a breach that a covered record shows is of this law and not larger than known."""
-        law, seen, _ = breach
+        law, seen, allowed = breach
         if not fnmatch.fnmatchcase(law, self.law):
             return False
         if not self.is_limited(record):
@@ -95,8 +95,10 @@ class KnownBreach:
             return low <= seen <= high
         if record.ledger is None or not ran(record):
             return law == CREATED
-        scale = turned_over(record.ledger) if law.startswith("negative ") else record.ledger.peak
-        return law.endswith("[J]") and seen <= (self.elsewhere or 0.0) * scale
+        scale = record.ledger.peak if law.endswith("[J]") else allowed
+        if law.startswith("negative "):
+            scale = turned_over(record.ledger)
+        return seen <= (self.elsewhere or 0.0) * scale
 
 
 def turned_over(ledger: Ledger) -> float:

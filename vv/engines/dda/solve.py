@@ -209,11 +209,8 @@ class PreparedBlocks:
 
         Gaps have the rounding error of positions, which stiff springs turn into forces. They are at
         most the largest momentum error of a step, and act along the path of the lightest block at
-        the largest kinetic energy. With lagging friction these forces are not due to rounding, and
-        the bound is 0.
+        the largest kinetic energy. Friction that lags is in both, as the solution used it.
         """
-        if not np.isfinite(self.formulation.tolerance):
-            return 0.0
         lightest = min(block.mass for block in self.ask.scene.blocks)
         adrift, path = float(report[7]), np.sqrt(2 * kinetic / lightest) * self.ask.goal.duration
         return adrift * float(path)
