@@ -141,9 +141,10 @@ def test_a_block_that_lands_as_its_run_ends_is_refused(given: dict[str, float]) 
         ("laden-block", "turning", ("mu=3", "v=66"), "dda/published,dda/lagged"),
         ("laden-block", "turning", ("mu=3.5", "v=300"), "dda/published"),  # spins and grows
         ("rocking", "threshold", ("b=0.006",), "dda/lagged"),
+        ("responding-block", "3d", ("fz=0.3",), "dem/published"),
     ],
 )
-def test_what_a_code_is_known_to_do_elsewhere_is_not_red(
+def test_what_is_right_or_known_at_other_parameters_is_not_red(
     case: str,
     variant: str,
     settings: tuple[str, ...],
