@@ -64,6 +64,8 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("rigid", "responding-block", "3d", {"mu": 3.01}, Knobs(1e-3)),
         ("rigid", "responding-block", "2d", {"mu": 8.31}, Knobs(1e-3)),
         ("dda", "elastic-block", "pressed", {"L": 0.1}, None),
+        ("dda", "elastic-block", "spun", {"a": 6.0}, Knobs(1.44337567297e-6, 9e14)),
+        ("dda", "elastic-block", "spun", {"spin": 50.0}, None),
         ("rigid", "shaken-fast", "5hz", {"f": 0.5}, Knobs(5e-4)),
         ("dda/generalised-alpha", "elastic-block", "coupled", {"b": 0.15}, None),
         ("dem/published", "at-yield", "above", {"phi": 2.0}, Knobs(1e-3, 1e8)),
