@@ -12,7 +12,7 @@ from tests.engines.rigid.test_momentum import MOST, TOLERANCE, pile
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import zero_rows
 from vv.engines.rigid.general.few import polish
-from vv.engines.rigid.limits import STIFF
+from vv.engines.rigid.limits import INNER, STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering, equation_numbers, half_width
 from vv.engines.rigid.solver.cone import Friction, Problem, residual, sweep
@@ -52,7 +52,7 @@ def _round_of(
     p, blocks = zero_rows(len(joints.first)), len(falls) - 1
     place, _ = band_ordering(joints, bodies, blocks)
     problem = Problem(joints, bodies, friction, p, 1.0 * falls, 0.0 * falls)
-    return newton_round(problem, zero_rows(len(p)), TOLERANCE, stiffness, place), p
+    return newton_round(problem, zero_rows(len(p)), TOLERANCE, stiffness, place, INNER) > 0, p
 
 
 # not cached on disk, where they would outlive the functions they call

@@ -11,7 +11,7 @@ from tests.engines.rigid.test_motion import solved
 from tests.scenes.blocks.block_scenes import DOWN, FREE, HELD, G, box, running_bond
 from vv.ask import Ask, Displacement, History, Knobs, Reaction, Velocity
 from vv.engines import rigid
-from vv.engines.rigid.limits import LEAPT
+from vv.engines.rigid.limits import LEAPT, SWEPT
 from vv.plan.project import find
 from vv.scene import Contact, Harmonic, Scene
 
@@ -75,13 +75,20 @@ def test_where_impulses_drift_leaps_or_a_fresh_start_without_them_solve_the_step
     """Which step of which wall needs more sweeps than leaps get is decided by rounding.
 
     In steps 116 to 121 of a high wall some impulses drift for thousands of sweeps, and steps 290 to
-    299 of a wall shaken at 1.09 g are not solved by 20 000 sweeps with leaps.
+    299 of a wall shaken at 1.09 g are not by 20 000 sweeps with leaps and whole Newton steps.
     """
     drifting = solved(running_bond(14, 14, amplitude=0.02, frequency=3.0), 0.125, interval=DT)
     shaken = solved(running_bond(20, 10, amplitude=0.03, frequency=3.0), 0.299, interval=DT)
     sweeps = [program.report[:, 1].max() for program in (drifting, shaken)]
     assert max(program.report[:, 0].max() for program in (drifting, shaken)) <= 5e-6
-    assert LEAPT < max(sweeps) <= 12_000
+    assert SWEPT < max(sweeps) <= 12_000
+
+
+def test_what_neither_sweeps_nor_whole_newton_steps_solve_is_solved_by_shortened_ones() -> None:
+    """Step 103 was left at 7.6e-6 m/s after 34 400 sweeps."""
+    program = solved(running_bond(20, 10, 0.01984873202862579, 3.0), 0.104, interval=DT)
+    assert program.report[:, 0].max() <= 5e-6
+    assert program.report[:, 1].max() <= LEAPT
 
 
 def test_facades_that_sweeps_do_not_solve_are_solved_by_newton_rounds() -> None:

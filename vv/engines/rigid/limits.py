@@ -64,12 +64,15 @@ Of 22 steps of a facade that falls apart, momentum alone left 14 above the resid
 3000 sweeps; alternation left 2 after 10 000. A sweep with conjugate gradients takes twice as long.
 """
 
-STUCK, LEAPT = 2400, 7200
-"""Number of sweeps of a large scene after which Newton steps are tried; and the number of sweeps
-with leaps after which the solution is started again without leaps.
+STUCK, SWEPT, LEAPT = 2400, 7200, 24_000
+"""Number of sweeps of a large scene after which Newton steps are tried; the number of sweeps with
+leaps after which Newton rounds take their place; and that after which the solution is started again
+without leaps.
 
-In some steps, walls of 200 blocks that slide take up to 10 000 sweeps with leaps. A wall shaken at
-1.09 g had steps that took more than 20 000 with leaps, and only 1600 when started again without.
+Walls of 200 blocks that slide take up to 7200 sweeps in some steps of most of them. Of twenty steps
+that took longer, 0.5 to 20 s with Newton steps alone, eighteen are solved within 0.6 to 4 s by
+sweeps and Newton rounds in turn: wherever these end, sweeps begin anew. A wall shaken at 1.09 g had
+steps that took more than 20 000 with leaps, and only 1600 when started again without.
 
 A facade of 216 blocks that is shaken apart reaches these limits in up to 4 of 100 steps. A Newton
 step costs as much as some thousand sweeps; sweeps alone left one such step in forty above the
@@ -133,12 +136,15 @@ their velocities are refined until they change by rounding only; most rounds of 
 rounding, over the largest velocity. The residual asked leaves an error of this ratio times itself.
 """
 
-ROUNDS, SOFTEST, FIRMEST = 100, 1e-3, 1e4
-"""Most Newton rounds of a step that nothing else solved; and the stiffness of contacts over inertia
-below which they are given up, and above which it does not grow. Three steps of a facade with
-friction of 0.9 took 50 to 65 Newton steps from the impulses of the step before, and 250 to 490 from
-none.
+TRIED, LONGEST, SEARCHED, HALVINGS = 80, 500, 30, 6
+"""Newton steps after which no round begins where sweeps of a large scene are stuck, and in a step
+that nothing else solved; most Newton steps of such a round; and most halvings of a step. On stiff
+contacts whole steps went back and forth in most rounds.
 """
+
+SOFTEST, FIRMEST, PAUSE = 1e-3, 1e4, 2
+"""Stiffness of contacts over inertia below which Newton rounds are given up, and above which it
+does not grow; and the number of rounds after the first failure before it grows again."""
 
 PUSHES = 30
 """Sweeps that remove penetration from positions; what remains is removed in the next step."""

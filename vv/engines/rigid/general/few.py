@@ -15,6 +15,7 @@ from vv.engines.rigid.limits import (
     ADDED,
     BLURRED,
     ENOUGH,
+    INNER,
     OUTER,
     POLISHED,
     SHINED,
@@ -134,7 +135,7 @@ def polish(
         copy_rows(before, p)
         copy_rows(before_v, v)
         copy_rows(before_w, w)
-        met = newton_round(problem, before, tolerance, stiffness, place)
+        met = newton_round(problem, before, tolerance, stiffness, place, INNER) > 0
         for c in range(len(p)):
             apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)

@@ -23,9 +23,12 @@ from vv.engines.rigid.limits import (
     ENOUGH,
     FAR,
     LEAPT,
+    LONGEST,
     SOFT,
     STEADIED,
     STUCK,
+    SWEPT,
+    TRIED,
 )
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering
@@ -113,7 +116,7 @@ def solve_or_retry(
         if anew == 1:
             clear(p)
         recomputed(problem, free_v, free_w)
-        last = newton_rounds(problem, limits.tolerance, place)
+        last = newton_rounds(problem, limits.tolerance, place, LONGEST)
         if last <= limits.tolerance:
             return sweeps, last
     copy_rows(p, best)
@@ -129,7 +132,8 @@ def solve_with_leaps(
     """Solve by sweeps with leaps, as `solve_or_retry`.
 
     If they are stuck, the solution is started again, once, from zero impulses if the residual is
-    far above that asked; otherwise Newton steps are taken.
+    far above that asked; otherwise Newton steps are taken, and after SWEPT sweeps Newton rounds,
+    which leave what whole steps do not. Sweeps go on from there.
     """
     sweeps, left, anew, more = 0 * fewest, np.inf, False, 1
     free_v, free_w = velocities_without(problem)
@@ -146,7 +150,10 @@ def solve_with_leaps(
             left = recomputed(problem, free_v, free_w)
             anew = True
         elif left > limits.tolerance:
-            left = polish(problem, tolerance, left, place, SOFT)
+            if sweeps < SWEPT:
+                left = polish(problem, tolerance, left, place, SOFT)
+            else:
+                left = newton_rounds(problem, tolerance, place, TRIED)
     return sweeps, left
 
 

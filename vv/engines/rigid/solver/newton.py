@@ -28,43 +28,12 @@ from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
 from vv.engines.rigid.solver.banded import eliminate, equation_numbers, half_width
-from vv.engines.rigid.solver.cone import Friction, Problem, copy_rows, limit
+from vv.engines.rigid.solver.cone import Problem, copy_rows
+from vv.engines.rigid.solver.projection import projected_impulse
+from vv.engines.rigid.solver.shortening import add_step, fill_gaps, shorten
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)
-
-
-@lent
-def projected_impulse(
-    joints: Joints, c: int, friction: Friction, stiffness: float,
-    q: Triple, u: Triple, slope: Vector,
-) -> Triple:  # fmt: skip
-    """The projected impulse P(q - D (u - need n)) of contact c; fills slope (3, 3) with -dP/du."""
-    n, cap = at(joints.normal, c), friction.mu
-    stiff = stiffness / joints.across[c]
-    along = stiffness / joints.along[c] if joints.along[c] > 0.0 else 0.0
-    clear(slope)
-    un = dot(u, n)
-    normal = dot(q, n) - stiff * (un - friction.need[c])
-    if normal <= 0.0:
-        return ZERO
-    d, turn = at(friction.d, c), at(friction.turn, c)
-    flat = add_scaled(add_scaled(q, -dot(q, n), n), -along, add_scaled(u, -un, n))
-    centre, radius = limit(cap * normal, d, turn)
-    left = add_scaled(flat, -1.0, centre)
-    size = np.sqrt(dot(left, left))
-    slips = size > radius
-    share = radius / size if slips else 1.0
-    e = add_scaled(ZERO, 1.0 / size, left) if slips else ZERO
-    drift = ZERO  # derivative of the tangential impulse with respect to the normal one
-    if slips:
-        drift = add_scaled(add_scaled(ZERO, (1.0 - share) / normal, centre), radius / normal, e)
-        drift = add_scaled(drift, share * dot(e, centre) / normal, e)
-    for i in range(3):
-        for j in range(3):
-            flatly = (1.0 if i == j else 0.0) - n[i] * n[j] - e[i] * e[j]
-            slope[i, j] = stiff * (n[i] + drift[i]) * n[j] + share * along * flatly
-    return add_scaled(add_scaled(centre, share, left), normal, n)
 
 
 @called
@@ -129,27 +98,28 @@ def add_stiffness(
 
 @called
 def newton_round(
-    problem: Problem, q: Vector, tolerance: float, stiffness: float, place: Index
-) -> bool:
+    problem: Problem, q: Vector, tolerance: float, stiffness: float, place: Index, most: int
+) -> int:
     """Fill p with the impulses after a round from q (c, 3), whose effect is in v, w.
 
-    Returns whether the iteration converged, see `newton_solution`.
+    most, and what is returned: see `newton_solution`.
     """
     x, y = same_rows(problem.v, len(problem.v)), same_rows(problem.w, len(problem.w))
-    return newton_solution(problem, q, tolerance, stiffness, place, x, y)
+    return newton_solution(problem, q, tolerance, stiffness, place, x, y, most)
 
 
 @called
 def newton_solution(
     problem: Problem, q: Vector, tolerance: float, stiffness: float, place: Index,
-    x: Vector, y: Vector,
-) -> bool:  # fmt: skip
+    x: Vector, y: Vector, most: int,
+) -> int:  # fmt: skip
     """Fill p with the impulses after a round, and x, y (b, 3) with the velocities and spins.
 
     x, y start from their first guess, and q (c, 3) from the impulses whose effect is in v, w.
-    Returns whether the iteration converged: no velocity changed by more than a tenth of the
-    tolerance [m/s] in the last step. place: see `band_ordering`. It is one function since assembly
-    and solution share its arrays.
+    Returns the number of iterations until no velocity changed by more than a tenth of the tolerance
+    [m/s], or -most if that many were not enough. With more than INNER, steps that do not improve
+    the equations are shortened. place: see `band_ordering`. It is one function since assembly and
+    solution share its arrays.
     """
     p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
     v, w = problem.v, problem.w
@@ -158,7 +128,7 @@ def newton_solution(
     half, lever = half_width(joints, rows_of, blocks), longest_arms(joints, blocks)
     z, o = rows(len(v)), rows(len(w))
     slope, right, matrix = zero_squares(1)[0], numbers(m), table(m, 3 * half + 1)
-    for _ in range(INNER):
+    for taken in range(most):
         clear(matrix)
         copy_rows(z, v)
         copy_rows(o, w)
@@ -168,36 +138,14 @@ def newton_solution(
                 put(p, c, projected_impulse(joints, c, friction, stiffness, at(q, c), u, slope))
                 add_stiffness(matrix, joints, c, bodies, rows_of, half, slope, lever)
                 apply_nonzero(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
-        for i in range(blocks):
-            for r in range(6):
-                row = rows_of[6 * i + r]
-                if row >= 0:
-                    gap = z[i, r] - x[i, r] if r < 3 else lever[i] * (o[i, r - 3] - y[i, r - 3])
-                    right[row] = gap
-        for k in range(m):
-            matrix[k, half] += 1.0
+        squares = fill_gaps(right, rows_of, lever, z, o, x, y)
+        for row in range(m):
+            matrix[row, half] += 1.0
         eliminate(matrix, right, half)
         if not all_finite(right):
-            return False  # contacts are so stiff that rounding made the equations singular
-        if add_step(right, rows_of, lever, x, y) <= 0.1 * tolerance:
-            return True
-    return False
-
-
-@lent
-def add_step(right: Vector, rows_of: Index, lever: Vector, x: Vector, y: Vector) -> float:
-    """Add a solution `right` (m,) to velocities and spins x, y (b, 3).
-
-    rows_of, lever: see `equation_numbers` and `longest_arms`. Returns the largest change of a
-    velocity [m/s].
-    """
-    most = 0.0
-    for i in range(len(lever)):
-        for r in range(6):
-            row = rows_of[6 * i + r]
-            if row >= 0 and r < 3:
-                x[i, r] += right[row]
-                most = larger(most, abs(right[row]))
-            elif row >= 0:
-                y[i, r - 3] += right[row] / lever[i]
-    return most
+            return -most  # contacts are so stiff that rounding made the equations singular
+        if add_step(right, 1.0, rows_of, lever, x, y) <= 0.1 * tolerance:
+            return taken + 1
+        if most > INNER:
+            shorten(problem, q, stiffness, rows_of, lever, right, squares, x, y)
+    return -most

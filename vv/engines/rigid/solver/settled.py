@@ -10,10 +10,11 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import rows, same_rows, smaller, zero_squares
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import add_scaled, at, put
-from vv.engines.rigid.limits import SETTLES, STIFF, STIFFEST
+from vv.engines.rigid.limits import INNER, SETTLES, STIFF, STIFFEST
 from vv.engines.rigid.solver.assembly import apply_nonzero, relative
 from vv.engines.rigid.solver.cone import Problem, copy_rows, residual
-from vv.engines.rigid.solver.newton import newton_solution, projected_impulse
+from vv.engines.rigid.solver.newton import newton_solution
+from vv.engines.rigid.solver.projection import projected_impulse
 from vv.scene import Vector
 
 
@@ -33,7 +34,7 @@ def settled(problem: Problem, tolerance: float, place: Index) -> float:
             break
         copy_rows(before, p)
         x, y = same_rows(v, len(v)), same_rows(w, len(w))
-        if not newton_solution(problem, before, tolerance, stiffness, place, x, y):
+        if newton_solution(problem, before, tolerance, stiffness, place, x, y, INNER) < 0:
             break
         fill_impulses(problem, before, stiffness, x, y)
         for c in range(len(p)):

@@ -15,7 +15,7 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import larger, rows, same_rows, zero_rows
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import add_scaled, at, dot
-from vv.engines.rigid.limits import BLURRED, GRAINS, REFINED, WEDGED
+from vv.engines.rigid.limits import BLURRED, GRAINS, INNER, REFINED, WEDGED
 from vv.engines.rigid.solver.assembly import Joints, relative
 from vv.engines.rigid.solver.cone import Problem, copy_rows, residual
 from vv.engines.rigid.solver.newton import newton_solution
@@ -62,7 +62,7 @@ def refine_wedged(
     for _ in range(REFINED if wedged > 0.0 else 0):
         copy_rows(before, p)
         x, y = same_rows(v, len(v)), same_rows(w, len(w))
-        met = newton_solution(problem, before, 10.0 * grain, stiffness, place, x, y)
+        met = newton_solution(problem, before, 10.0 * grain, stiffness, place, x, y, INNER) > 0
         now = residual(p, joints, problem.friction, x, y)
         if not met or now > left + BLURRED * push:
             copy_rows(p, before)

@@ -14,7 +14,17 @@ import pytest
 from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from tests.engines.rigid.by_hand.solver.test_sweeps import rubbing
 from vv.engines.rigid.general import converge, few, many
-from vv.engines.rigid.limits import BLURRED, CHAIN, FIRMEST, OUTER, ROUNDS, SMALL, SOFT, SOFTEST
+from vv.engines.rigid.limits import (
+    BLURRED,
+    CHAIN,
+    FIRMEST,
+    LONGEST,
+    OUTER,
+    PAUSE,
+    SMALL,
+    SOFT,
+    SOFTEST,
+)
 from vv.engines.rigid.solver import rounds
 from vv.engines.rigid.solver.cone import Problem, residual
 from vv.scene import Vector
@@ -42,7 +52,7 @@ def test_velocities_are_parted_from_impulses_and_joined_with_them() -> None:
 class Rounds:
     """Newton rounds that leave given residuals; it records how stiff each is, and from where.
 
-    One that does not converge is marked by a minus sign.
+    One that does not converge is marked by a minus sign; others take five Newton steps.
     """
 
     def __init__(self, patch: pytest.MonkeyPatch, where: Any, left: list[float], at: float) -> None:
@@ -59,13 +69,13 @@ class Rounds:
         joints: Any = self.joints
         self.problem = Problem(joints, nothing, nothing, self.p, self.v, self.w)
 
-    def _round(self, problem: Problem, q: Vector, *given: Any) -> bool:
+    def _round(self, problem: Problem, q: Vector, *given: Any) -> int:
         p = problem.p
-        self.stiff.append(given[-2])
+        self.stiff.append(given[1])
         self.begun.append(float(p[0, 0]))
         self._now = next(self._left)
         p += 1.0
-        return self._now >= 0.0
+        return 5 if self._now >= 0.0 else -int(given[-1])
 
     def _applied(self, joints: Any, c: int, bodies: Any, v: Vector, w: Vector, p: Any) -> None:
         v += p[0]
@@ -121,7 +131,7 @@ def test_a_round_that_adds_no_more_than_rounding_is_kept(
 def rounded(told: Rounds) -> float:
     """Newton rounds that go on where the residual grows."""
     nothing: Any = None
-    return rounds.newton_rounds(told.problem, ASKED, nothing)
+    return rounds.newton_rounds(told.problem, ASKED, nothing, LONGEST)
 
 
 def test_rounds_go_on_where_the_residual_grows_up_to_a_stiffness(
@@ -129,7 +139,8 @@ def test_rounds_go_on_where_the_residual_grows_up_to_a_stiffness(
 ) -> None:
     told = Rounds(monkeypatch, rounds, [2.0, 3.0, -1.0, 2.0, 5.0, 4.0, 3.0, 3.0, 0.5 * ASKED], 1.0)
     assert rounded(told) == 0.5 * ASKED
-    assert told.stiff == pytest.approx([SOFT, 100, 1e3, 100, 1e3, 1e4, FIRMEST, FIRMEST, FIRMEST])
+    assert PAUSE == 2
+    assert told.stiff == pytest.approx([SOFT, 100, 1e3, 100, 100, 1e3, FIRMEST, FIRMEST, FIRMEST])
     assert told.begun == [1.0, 2.0, 3.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
     assert (told.v == 16.0).all()
 
@@ -141,9 +152,20 @@ def test_rounds_that_never_converge_soften_until_they_are_given_up(
     assert rounded(told) == 1.0
     assert told.stiff == pytest.approx([SOFT * 0.1**k for k in range(len(told.stiff))])
     assert SOFTEST <= told.stiff[-1] < 11.0 * SOFTEST
-    told = Rounds(monkeypatch, rounds, [1.0] * 999, 1.0)
-    assert rounded(told) == 1.0
-    assert len(told.stiff) == ROUNDS
+    told = Rounds(monkeypatch, rounds, [2.0, 0.5, *[3.0] * 999], 1.0)
+    assert rounded(told) == 0.5
+    assert len(told.stiff) == LONGEST // 5
+    assert (told.p == 3.0).all()  # the best is kept
+    assert (told.v == 4.0).all()
+    assert (told.w == -4.0).all()
+
+
+def test_rounds_wait_twice_as_long_after_each_failure_before_they_stiffen(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    told = Rounds(monkeypatch, rounds, [2.0, -1.0, *[2.0] * 3, -1.0, *[2.0] * 5, 0.0], 1.0)
+    assert rounded(told) == 0.0
+    assert told.stiff == pytest.approx([10, 100, 10, 10, 100, 1e3, *[100] * 4, 1e3, 1e4])
 
 
 def told_by(

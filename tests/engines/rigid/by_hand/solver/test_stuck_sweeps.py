@@ -25,6 +25,8 @@ from vv.engines.rigid.limits import (
     STEADIED,
     STIFF,
     STUCK,
+    SWEPT,
+    TRIED,
 )
 from vv.engines.rigid.solver.cone import Problem
 
@@ -54,6 +56,7 @@ class Stuck:
             patch.setattr(where, "recomputed", lambda *_: self.left + self.blurs)
             patch.setattr(where, "polish", self._polish)
             patch.setattr(where, "solve_contacts", self._method("solve"))
+        patch.setattr(many, "newton_rounds", self._newton_rounds)
         patch.setattr(many, "leap_sweeps", self._method("leap"))
         patch.setattr(many, "momentum_sweeps", self._method("momentum"))
 
@@ -71,6 +74,11 @@ class Stuck:
         self.aims.append(given[1])
         self.left = next(self._rounds)
         return self.left
+
+    def _newton_rounds(self, *given: Any) -> float:
+        left = self._polish(*given)
+        self.tried[-1] = ("rounds", *self.tried[-1][1:])
+        return left
 
     def leaps(self) -> tuple[int, float]:
         """Solve with leaps."""
@@ -100,13 +108,16 @@ def test_leaps_end_where_the_residual_is_met(monkeypatch: pytest.MonkeyPatch) ->
 def test_leaps_far_from_a_solution_begin_once_from_none_and_else_are_polished(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    told = Stuck(monkeypatch, [WIDE, WIDE, NEAR], [NEAR, NEAR])
+    turns = (LEAPT - 2 * STUCK) // STUCK
+    told = Stuck(monkeypatch, [WIDE, WIDE] + [NEAR] * turns, [NEAR] * (1 + turns))
     assert told.leaps() == (LEAPT, NEAR)
     assert told.tried == [
         ("leap", STUCK, True), ("leap", STUCK, False), ("newton", SOFT, False),
-        ("leap", LEAPT - 2 * STUCK, False), ("newton", SOFT, False),
+        *[("leap", STUCK, False), ("rounds", TRIED, False)] * turns,
     ]  # fmt: skip
-    assert told.aims == [ASKED] * 2
+    assert SWEPT == 3 * STUCK
+    assert LEAPT % STUCK == 0
+    assert told.aims == [ASKED] * (1 + turns)
     told = Stuck(monkeypatch, [NEAR], [ASKED])
     assert told.leaps() == (STUCK, ASKED)
 
@@ -122,10 +133,11 @@ def test_velocities_without_the_rounding_of_sweeps_count(monkeypatch: pytest.Mon
 
 
 def test_no_more_sweeps_are_made_than_are_left(monkeypatch: pytest.MonkeyPatch) -> None:
-    told = Stuck(monkeypatch, [NEAR] * 9, [NEAR] * 9)
+    told = Stuck(monkeypatch, [NEAR] * 99, [NEAR] * 99)
     told.stops = iter([1000])
     assert told.leaps() == (LEAPT, NEAR)
-    assert [few for name, few, _ in told.tried if name == "leap"] == [STUCK] * 3 + [LEAPT - 5800]
+    asked = [few for name, few, _ in told.tried if name == "leap"]
+    assert asked == [STUCK] * (len(asked) - 1) + [(LEAPT - 1000) % STUCK]
     told = Stuck(monkeypatch, [NEAR] * 9, [NEAR] * 9)
     assert told.turns(1, most=STALLED + 10) == (STALLED + 10, NEAR)
     assert [few for name, few, _ in told.tried if name == "solve"] == [STALLED, 10]
