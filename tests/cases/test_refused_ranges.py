@@ -22,10 +22,10 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
 @pytest.mark.parametrize(
     ("case", "variant", "within", "beyond", "words"),
     [
-        # a plate tips where mu exceeds its length over its height
+        # a plate tips where mu exceeds its length over its height, and on springs a third of that
         ("incline", "two-directions-turning", {"phi": 78.6}, {"phi": 78.8}, TIPS),
         ("laden-block", "turning", {"mu": 4.9, "v": 200.0}, {"mu": 5.1, "v": 200.0}, TIPS),
-        ("responding-block", "3d-turning", {"mu": 4.9}, {"mu": 5.1}, TIPS),
+        ("responding-block", "3d-turning", {"mu": 1.66}, {"mu": 1.67}, TIPS),
         ("slow-slide", "level", {"mu": 2.4}, {"mu": 2.6}, TIPS),
         # amplitudes, and what a variant does not have
         ("incline", "newmark-30", {"Ay": 0.0}, {"Ay": -0.1}, "must be zero or more"),
@@ -89,7 +89,7 @@ def declared(case: str, variant: str, given: dict[str, float]) -> Trial:
          "below 0.75 rad"),
         ("single-contact", "T3", {"mu": 1.9e10}, {"mu": 2.1e10}, "an overlap so small is lost"),
         ("wedge", "xi-1", {"xi": 1.57}, {"xi": 1.58}, "it must be below pi/2"),
-        ("packing", "seed-1", {"g": 0.33}, {"g": 0.32}, "to come to rest; at most 72 s are run"),
+        ("packing", "seed-1", {"g": 0.64}, {"g": 0.62}, "to come to rest; at most 72 s are run"),
         ("shear-wave", "5", {"F": 7.0}, {"F": 7.2}, "from the wave by 0.084, more than 0.08"),
         ("close-packed-path", "in-82", {"strain": 1.1e-6}, {"strain": 9e-7}, "from 1e-6 to 5e-3"),
         ("close-packed-path", "in-82", {"strain": -4.9e-3}, {"strain": -5.1e-3}, "to 5e-3"),
