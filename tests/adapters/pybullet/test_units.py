@@ -21,6 +21,7 @@ def asked(length: float = 1.0) -> Ask:
     return dataclasses.replace(ask, scene=rescaled(ask.scene, length, 1.0, 1.0))
 
 
+@pytest.mark.shows("PyBullet's limits of distance are fixed numbers, so that it gets lengths")
 @pytest.mark.parametrize("power", [-20, -1, 1, 10])
 def test_a_larger_world_differs_in_the_unit_alone(power: int) -> None:
     plan = adapters.pybullet._plan(asked())

@@ -14,7 +14,7 @@ import pytest
 
 from vv.engines.rigid.general import few, many
 from vv.engines.rigid.general.few import Limits
-from vv.engines.rigid.limits import CARRIED, FAR, LEAPT, SOFT, STALLED, STEADIED, STUCK
+from vv.engines.rigid.limits import CARRIED, FAR, LEAPT, SOFT, STALLED, STEADIED, STUCK, SWEPT
 from vv.engines.rigid.solver.cone import Problem
 from vv.scene import Vector
 
@@ -43,7 +43,12 @@ def done(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         said.append("newton" if given[-1] == SOFT else "stiff newton")
         return AWAY
 
+    def rounds(*given: object) -> float:
+        said.append("rounds")
+        return AWAY
+
     monkeypatch.setattr(many, "clear", cleared)
+    monkeypatch.setattr(many, "newton_rounds", rounds)
     for where in few, many:
         monkeypatch.setattr(where, "polish", polished)
         monkeypatch.setattr(where, "velocities_without", lambda given: (given.v, given.w))
@@ -113,7 +118,7 @@ def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
     [
         ("solve_chained", 2, 2 * STALLED + 7, [STALLED, STALLED, 7]),
         ("solve_in_turns", BLOCKS, CARRIED + STEADIED + 7, [CARRIED, STEADIED, 7]),
-        ("solve_with_leaps", BLOCKS, LEAPT, 3 * [STUCK]),
+        ("solve_with_leaps", BLOCKS, LEAPT, LEAPT // STUCK * [STUCK]),
     ],
 )
 def test_sweeps_are_no_more_than_allowed_and_go_on_as_long_as_each_kind_may(
@@ -129,6 +134,15 @@ def test_sweeps_are_no_more_than_allowed_and_go_on_as_long_as_each_kind_may(
     sweeps, _ = solved(way, np.ones((3, 3)), blocks, most)
     assert taken == parts
     assert sweeps == most
+
+
+def test_after_many_sweeps_with_leaps_rounds_take_the_place_of_newton_steps(
+    monkeypatch: pytest.MonkeyPatch, done: list[str]
+) -> None:
+    few_times = SWEPT // STUCK
+    p = sweeping(monkeypatch, [NEAR] * (few_times + 1) + [0.0])
+    assert solved("solve_with_leaps", p)[1] == 0.0
+    assert done == ["newton"] * (few_times - 1) + ["rounds"] * 2
 
 
 @pytest.mark.parametrize("way", ["solve_with_leaps", "solve_in_turns"])
