@@ -3,14 +3,25 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Callable
-from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cases.blocks.parts._elastic_bounds import (
+    DAMPED,
+    OUTPUTS,
+    SEEN,
+    STEPS,
+    STIFF,
+    frequency_bounds,
+    law,
+    of_coupled,
+    of_spun,
+    period,
+    sides,
+    swing_bounds,
+)
 from reference_solutions.blocks import elastic_block as exact
 from reference_solutions.blocks import implicit_step
 from vv.ask import Displacement, History, Knobs, Method, Run, Strain
@@ -35,10 +46,6 @@ from vv.scene import Block, Contact, Elastic, Scene, Vector, Wall, box_geometry,
 Cvector = NDArray[np.complex128]
 STRAIN, MOVED = Strain(0), Displacement(0)
 Z = np.array([0.0, 0.0, 1.0])
-STEPS, STIFF = (0.02, 0.01, 0.005, 0.0025), 1e4  # steps times w, springs over E a b/L
-# time between outputs, times w, and their number: a period and a half
-SEEN, OUTPUTS = 4 * STEPS[0], 118
-FIRST = 1.3  # bound of the damping of the first mode of a bar, over w dt
 APART = 12  # outputs: about one radian of the oscillation
 # steps, springs and duration of the block that comes to rest
 SLOW, SOFT, LONG = (1.0, 0.5), 50.0, 200.0
@@ -46,8 +53,8 @@ SLOW, SOFT, LONG = (1.0, 0.5), 50.0, 200.0
 
 def _scene(variant: str, p: Parameters) -> Scene:
     """The block, on a smooth base unless it spins."""
-    sides, spins = np.array(_sides(p)), variant == "spun"
-    vertices, faces = box_geometry(sides[2] / 2 * Z, sides / 2, np.eye(3))
+    extent, spins = np.array(sides(p)), variant == "spun"
+    vertices, faces = box_geometry(extent[2] / 2 * Z, extent / 2, np.eye(3))
     mass, inertia = polyhedron_inertia(vertices, faces, p["rho"])
     across = variant != "ringing"
     block = Block(
@@ -59,14 +66,6 @@ def _scene(variant: str, p: Parameters) -> Scene:
     )  # fmt: skip
     bodies = (block,) if spins else (block, Wall(np.zeros(3), Z))
     return Scene(bodies, Contact(np.inf), gravity=-p["g"] * Z * (not spins))
-
-
-def _sides(p: Parameters) -> exact.Sides:
-    return p["a"], p["b"], p["L"]
-
-
-def _law(p: Parameters) -> dict[str, Any]:
-    return {"sides": _sides(p), "rho": p["rho"], "young": p["E"], "poisson": p["nu"]}
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -87,7 +86,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _pressed(p: Parameters, w: float) -> tuple[Quantity, ...]:
-    strain = exact.resting(**_law(p), g=p["g"])
+    strain = exact.resting(**law(p), g=p["g"])
     size, sunk = abs(strain[2]), -strain[2] * p["L"] / 2
     still = Tolerance(
         1e-5 + 2 * size,
@@ -117,11 +116,11 @@ def _sinking(run: Run) -> float:
 
 
 def _ringing(p: Parameters, w: float) -> tuple[Quantity, ...]:
-    path = functools.partial(exact.standing, **_law(p), g=p["g"], along=(2,))
+    path = functools.partial(exact.standing, **law(p), g=p["g"], along=(2,))
     return (
-        _strain_along(2, path, p, _swing_bounds(1.0, 1.0, w)),
+        _strain_along(2, path, p, swing_bounds(1.0, 1.0, w)),
         Scalar("frequency", "w_e/w", "", "frequency over sqrt(3 E/rho)/L",
-               lambda run: _frequency(run) / w, 1.0, 1.0, _frequency_bounds(w)),
+               lambda run: _frequency(run) / w, 1.0, 1.0, frequency_bounds(w)),
         Scalar("frequency-continuum", "w_e/w_c", "", "the same over (pi/2) sqrt(E/rho)/L",
                lambda run: exact.STIFFER * _frequency(run) / w, None, 1.0, Shown(HIGH)),
         Scalar("damping", "zeta/zeta_dt", "", "damping ratio from the decrement of the "
@@ -135,72 +134,19 @@ def _ringing(p: Parameters, w: float) -> tuple[Quantity, ...]:
 
 def _coupled(p: Parameters, w: float) -> tuple[Quantity, ...]:
     def path(t: Vector) -> Vector:
-        return exact.standing(t, **_law(p), g=p["g"])
+        return exact.standing(t, **law(p), g=p["g"])
 
-    shares, squares = exact.standing_modes(**_law(p), g=p["g"])
-    rates, amplitude = np.sqrt(squares) / w, np.abs(path(_period(p))).max() / 2
-    damped, lowered = (np.maximum(1.0, shares @ rates**n / amplitude) for n in (2, 3))
     return tuple(
-        _strain_along(axis, path, p, _swing_bounds(float(damped[axis]), float(lowered[axis]), w))
-        for axis in (2, 0, 1)
+        _strain_along(axis, path, p, judge)
+        for axis, judge in zip((2, 0, 1), of_coupled(p, w), strict=True)
     )
 
 
 def _spun(p: Parameters, w: float) -> tuple[Quantity, ...]:
     def path(t: Vector) -> Vector:
-        return exact.seen_from_rest(exact.spinning(t, **_law(p), spin=p["spin"]), p["spin"] * t)
+        return exact.seen_from_rest(exact.spinning(t, **law(p), spin=p["spin"]), p["spin"] * t)
 
-    return tuple(
-        _strain_along(
-            axis,
-            path,
-            p,
-            Exact(
-                {
-                    method: _with_slowing(tolerance, float(slowed))
-                    for method, tolerance in _swing_bounds(
-                        float(quick), float(quick), w
-                    ).tolerances.items()
-                },
-                not_judged={Method.LAGGING: NO_PULL},
-            ),
-        )
-        for axis, (quick, slowed) in enumerate(zip(_quick(p, w), _slowed(p, w), strict=True))
-    )
-
-
-def _slowed(p: Parameters, w: float) -> Vector:
-    """What strains change of each strain (3,) of a spun block, over the largest of all.
-
-    A block strained by e spins slower, at 1 - 2 e, and its inertia grows to 1 + 2 e. Of w_j^2 e a
-    mode lacks 4 e by the first and 4 e by the second, in products of two oscillations: 8 e at rest,
-    and, as part of them has the frequency w_j of the mode, w_j t/2 times that.
-    """
-    shares, squares = exact.spun_modes(**_law(p), spin=p["spin"])
-    followed = 1.0 + np.sqrt(squares) / w * OUTPUTS * SEEN / 2
-    return np.asarray(8.0 * shares @ followed)
-
-
-def _with_slowing(bound: Tolerance, slowed: float) -> Tolerance:
-    """A bound that contains what the strains change of themselves."""
-    return replace(
-        bound,
-        reason=f"{bound.reason}. The answer is linear in the strains e, which slow the spin and "
-        "add inertia: 8 e of them, and w t/2 times that, as a part follows each mode",
-        more=lambda kn: slowed,
-    )
-
-
-def _quick(p: Parameters, w: float) -> Vector:
-    """The damping of each strain (3,) of a spun block, over that of a bar of frequency w [1/s].
-
-    A mode of frequency w_j loses w_j^2 dt t/4 of its amplitude; the largest strain is twice the
-    amplitude of a bar.
-    """
-    shares, squares = exact.spun_modes(**_law(p), spin=p["spin"])
-    spun = exact.spinning(_period(p), **_law(p), spin=p["spin"])
-    lost = shares @ (squares / w**2) * OUTPUTS * SEEN / 4 / np.abs(spun).max()
-    return np.asarray(lost / FIRST)
+    return tuple(_strain_along(axis, path, p, judge) for axis, judge in enumerate(of_spun(p, w)))
 
 
 def _strain_along(
@@ -208,18 +154,12 @@ def _strain_along(
 ) -> Series:
     """The strain along an axis; every error is relative to the largest strain of all."""
     name = f"e_{'xyz'[axis]}"
-    period = _period(p)
+    times = period(p)
     return Series(
         name, name, "", f"strain along {name[-1]}",
         lambda run: np.asarray(run.values[STRAIN][:, axis]),
-        lambda t: path(t)[:, axis], judge, lambda: float(np.abs(path(period)).max()),
+        lambda t: path(t)[:, axis], judge, lambda: float(np.abs(path(times)).max()),
     )  # fmt: skip
-
-
-def _period(p: Parameters) -> Vector:
-    """Times over a period of a bar on its base [s]."""
-    w = exact.first(side=p["L"], rho=p["rho"], young=p["E"])
-    return np.linspace(0.0, 2 * math.pi, 200) / w
 
 
 def _frequency(run: Run) -> float:
@@ -247,38 +187,6 @@ def _roots(run: Run) -> Cvector:
     return np.asarray(np.roots([1.0, -trace, -det]), complex)
 
 
-def _swing_bounds(quick: float, lowered: float, w: float) -> Exact:
-    """quick: damping of all modes over that of the first mode of a bar, of frequency w [1/s].
-
-    lowered: the errors of their phases over that of the same mode.
-    """
-    step = Tolerance(
-        max(5 / STIFF, FIRST * quick * STEPS[0]),
-        "DDA's step has the damping ratio w dt/4: an error of (1 - exp(-w dt w t/4))/2 of the "
-        "largest strain, 1.2 w dt after a period and a half. The damping of faster modes grows "
-        "with the square of their frequency",
-        dt=STEPS[0] / w, order=1, floor=5 / STIFF,
-    )  # fmt: skip
-    second = Tolerance(
-        max(5 / STIFF, 2.0 * lowered * STEPS[0] ** 2),
-        "the generalised-alpha method lowers the frequency by (w dt)^2/8, a phase error of 1.2 "
-        "(w dt)^2 radians over a period and a half, which grows with the cube of the frequency; "
-        "the floor is the compliance of the springs at the edges",
-        dt=STEPS[0] / w, order=2, floor=5 / STIFF,
-    )  # fmt: skip
-    return Exact({Method.PENALTY: step, Method.LAGGING: step, Method.DAMPED: second})
-
-
-def _frequency_bounds(w: float) -> Exact:
-    step = Tolerance(
-        STEPS[0] ** 2,
-        "an error of (w dt)^2; the floor is the compliance of the springs at two edges, 9/16 of E "
-        "a b/(L kn)",
-        dt=STEPS[0] / w, order=2, floor=1 / STIFF,
-    )  # fmt: skip
-    return Exact({Method.PENALTY: step, Method.LAGGING: step})
-
-
 SHORT = (
     "the strain of a column under its own weight rises from zero at the top to rho g L/E at the "
     "foot. Its centroid sinks by rho g L^2/(3 E), a third more than with uniform strain; the "
@@ -288,17 +196,7 @@ HIGH = (
     "the first mode of the continuum is a quarter of a sine, with pi/sqrt(12) of this frequency; "
     "uniform strain makes a block stiffer, by 10 % in frequency"
 )
-DAMPED = Exact(
-    dict.fromkeys(
-        (Method.PENALTY, Method.LAGGING),
-        Tolerance(1e-3, "the springs at the edges soften the block by a fraction of 1e-4"),
-    ),
-    not_judged={
-        Method.DAMPED: "this class integrates by another scheme, which the case damped-swing judges"
-    },
-)
 GROWS = "it grows with the step and the frequency: 2.3 % is its value at 14.66 Hz and 1e-3 s"
-NO_PULL = "formulations of this class may lack the centrifugal force, the only cause of strain here"
 MEASURED = {"pressed": _pressed, "ringing": _ringing, "coupled": _coupled, "spun": _spun}
 HELD = "m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i"
 CASE = Case(

@@ -9,9 +9,9 @@ import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import RUNGS, levels
-from cases.blocks.parts import _responding_bounds, _responding_lift
-from cases.blocks.parts._responding_bounds import DENSITY, SIDE, directions
-from cases.blocks.parts._responding_slow import Path
+from cases.blocks.parts.responding import _bounds, _lift
+from cases.blocks.parts.responding._bounds import DENSITY, SIDE, directions
+from cases.blocks.parts.responding._slow import Path
 from reference_solutions.blocks import responding_block
 from vv.ask import Displacement, History, Knobs
 from vv.case import (
@@ -76,21 +76,21 @@ def _declare(variant: str, p: Parameters) -> Trial:
             f"mu = {p['mu']!r}; the plate would tip on springs where friction reverses, "
             f"from {SIDE / FLAT / SWUNG:.3g} on"
         )
-    _responding_bounds.require_slow(p)
+    _bounds.require_slow(p)
     goal, path = History(p["duration"], p["duration"] / SAMPLES), _path(p)
     axes = np.eye(3)[: directions(p)]
-    motion = Motion(BLOCK, axes, path, goal.times(None), "m", _responding_bounds.free_fall(p))
+    motion = Motion(BLOCK, axes, path, goal.times(None), "m", _bounds.free_fall(p))
     if variant == "map":
         return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
-    judge = _responding_bounds.in_plane(p, path, motion.size)
-    along = {2: _responding_lift.vertical(p, motion.size)} if len(axes) > 2 else {}
+    judge = _bounds.in_plane(p, path, motion.size)
+    along = {2: _lift.vertical(p, motion.size)} if len(axes) > 2 else {}
     parts = tuple(
         motion.component(
             i, f"d2{axis}", f"displacement of the block along {axis}", along.get(i, judge)
         )
         for i, axis in enumerate("xyz"[: len(axes)])
     )
-    anywhere = _responding_lift.in_space(p, path, motion.size)
+    anywhere = _lift.in_space(p, path, motion.size)
     whole = (motion.distance(anywhere),) if len(axes) > 1 else ()
     timed = (RUNGS[0], STIFFER) if variant in ("1d", "2d", "3d") else ()
     stiffest = {FREE: TURNING, "1d": STIFFER_YET}.get(variant, STIFFEST)
@@ -129,7 +129,7 @@ def _resolved_levels(
     Every level has springs so stiff and steps so short that an error of 1 % of friction exceeds
     the bound of what they delay.
     """
-    lost = _responding_bounds.reversal_error(p) if directions(p) == 1 else 0.0
+    lost = _bounds.reversal_error(p) if directions(p) == 1 else 0.0
     fine = {
         level: tuple(
             rung for rung in dict.fromkeys((*rungs, stiffest)) if lost * (rung.dt or 0.0) <= CHANCE

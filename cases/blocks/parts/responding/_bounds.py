@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cases.blocks.parts._responding_slow import Path, kept, late_springs, sharp_turns
 from cases.blocks.parts._vibrating import resounding
+from cases.blocks.parts.responding._slow import Path, kept, late_springs, sharp_turns
 from vv.ask import Method
 from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from cases.blocks.parts._responding_bounds import (
+from cases.blocks.parts.responding._bounds import (
     EPS,
     GAP,
     LOCATED,
@@ -16,7 +16,7 @@ from cases.blocks.parts._responding_bounds import (
     directions,
     in_plane,
 )
-from cases.blocks.parts._responding_slow import Path
+from cases.blocks.parts.responding._slow import Path
 from vv.ask import Knobs, Method
 from vv.case import Exact, Parameters, Tolerance
 
