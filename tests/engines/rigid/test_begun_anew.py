@@ -15,7 +15,7 @@ import pytest
 from vv.engines.rigid.general import few, many
 from vv.engines.rigid.general.few import Limits
 from vv.engines.rigid.limits import CARRIED, FAR, LEAPT, SOFT, STALLED, STEADIED, STUCK, SWEPT
-from vv.engines.rigid.solver.cone import Problem
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Vector
 
 ASKED = 1e-6  # m/s

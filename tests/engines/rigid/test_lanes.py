@@ -13,9 +13,10 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import zero_rows
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
-from vv.engines.rigid.solver.cone import Friction, sweep
+from vv.engines.rigid.solver.cone import sweep
 from vv.engines.rigid.solver.lanes import sweep_batches
 from vv.engines.rigid.solver.momentum import joined, separated
+from vv.engines.rigid.solver.problem import Friction
 from vv.engines.rigid.solver.seats import DEPTH, LANES, runs, seated
 from vv.scene import Vector
 

@@ -13,9 +13,10 @@ from vv.engines.kernels.arrays import zero_rows
 from vv.engines.rigid.general.energy import arm_covariance
 from vv.engines.rigid.general.lever_arms import halfway
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction, Problem, residual, sweep
+from vv.engines.rigid.solver.cone import residual, sweep
 from vv.engines.rigid.solver.drift import leap_sweeps
 from vv.engines.rigid.solver.momentum import momentum_sweeps
+from vv.engines.rigid.solver.problem import Friction, Problem
 from vv.scene import Vector
 
 TOLERANCE, MOST = 1e-8, 20_000  # m/s; sweeps

@@ -15,8 +15,9 @@ from vv.engines.rigid.general.few import polish
 from vv.engines.rigid.limits import INNER, STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering, equation_numbers, half_width
-from vv.engines.rigid.solver.cone import Friction, Problem, residual, sweep
+from vv.engines.rigid.solver.cone import residual, sweep
 from vv.engines.rigid.solver.newton import newton_round
+from vv.engines.rigid.solver.problem import Friction, Problem
 from vv.scene import Vector
 
 PLANE, SPIN = np.diag([1.0, 0.0, 1.0]), np.diag([0.0, 1.0, 0.0])

@@ -14,7 +14,7 @@ from vv.engines.rigid.general import bends
 from vv.engines.rigid.general.bends import add_friction, along_groove, sag_by_motions, set_turns
 from vv.engines.rigid.slip import bend
 from vv.engines.rigid.solver.assembly import Bodies, apply
-from vv.engines.rigid.solver.cone import Friction, Problem
+from vv.engines.rigid.solver.problem import Friction, Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")

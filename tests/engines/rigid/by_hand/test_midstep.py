@@ -15,7 +15,7 @@ from vv.engines.rigid.general.kernel import add_impulses, fill_forces, remove_pe
 from vv.engines.rigid.general.lever_arms import act_at_midstep, difference, halfway, turned_back
 from vv.engines.rigid.general.setting import copy_of, shift_at
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Problem
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")

@@ -17,7 +17,7 @@ from vv.engines.rigid.general.model import Space
 from vv.engines.rigid.general.setting import State
 from vv.engines.rigid.limits import NEARLY
 from vv.engines.rigid.slip import least_slip_speed
-from vv.engines.rigid.solver.cone import Problem
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Contact, Scene
 
 pytestmark = pytest.mark.usefixtures("in_python")

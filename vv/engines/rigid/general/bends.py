@@ -11,7 +11,7 @@ from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.slip import bend
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
-from vv.engines.rigid.solver.cone import Friction, Problem
+from vv.engines.rigid.solver.problem import Friction, Problem
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)

@@ -8,7 +8,7 @@ from vv.engines.rigid.general.few import Limits, solve_few
 from vv.engines.rigid.general.many import solve_many_at
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.limits import SMALL
-from vv.engines.rigid.solver.cone import Problem
+from vv.engines.rigid.solver.problem import Problem
 
 
 @called

@@ -24,8 +24,9 @@ from vv.engines.rigid.limits import (
     STIFF,
 )
 from vv.engines.rigid.solver.assembly import apply_nonzero
-from vv.engines.rigid.solver.cone import Problem, copy_rows, residual, solve_contacts
+from vv.engines.rigid.solver.cone import residual, solve_contacts
 from vv.engines.rigid.solver.newton import newton_round
+from vv.engines.rigid.solver.problem import Problem, apply_changes, copy_rows, keep, restore
 from vv.engines.rigid.solver.wedged import refine_wedged
 from vv.scene import Vector
 
@@ -122,8 +123,7 @@ def polish(
     round that increases the residual by more than rounding is undone, and the next one is less
     stiff. In a narrow groove the first rounds change less than rounding, and stiffer ones solve it.
     """
-    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
-    v, w = problem.v, problem.w
+    p, joints, friction, v, w = problem.p, problem.joints, problem.friction, problem.v, problem.w
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     rounding = 0.0
     for c in range(len(p)):
@@ -132,18 +132,13 @@ def polish(
     for _ in range(OUTER):
         if left <= tolerance or stiffness < 1.0:
             break
-        copy_rows(before, p)
-        copy_rows(before_v, v)
-        copy_rows(before_w, w)
+        keep(problem, before, before_v, before_w)
         met = newton_round(problem, before, tolerance, stiffness, place, INNER) > 0
-        for c in range(len(p)):
-            apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
+        apply_changes(problem, before, v, w)
         now = residual(p, joints, friction, v, w)
         if met and now < left + rounding:
             left, stiffness = now, 10.0 * stiffness
         else:
-            copy_rows(p, before)
-            copy_rows(v, before_v)
-            copy_rows(w, before_w)
+            restore(problem, before, before_v, before_w)
             stiffness *= 0.01
     return left

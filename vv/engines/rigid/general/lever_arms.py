@@ -13,7 +13,7 @@ from vv.engines.kernels.arrays import larger, rows, zero_rows
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.solver.assembly import Joints, apply_nonzero
-from vv.engines.rigid.solver.cone import Problem
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)

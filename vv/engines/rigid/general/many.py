@@ -32,11 +32,11 @@ from vv.engines.rigid.limits import (
 )
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import band_ordering
-from vv.engines.rigid.solver.cone import Friction, Problem, copy_rows, solve_contacts
+from vv.engines.rigid.solver.cone import solve_contacts
 from vv.engines.rigid.solver.drift import leap_sweeps
 from vv.engines.rigid.solver.momentum import momentum_sweeps
-from vv.engines.rigid.solver.rounds import newton_rounds
-from vv.engines.rigid.solver.settled import settled
+from vv.engines.rigid.solver.problem import Friction, Problem, copy_rows, keep, restore
+from vv.engines.rigid.solver.rounds import newton_rounds, settled
 from vv.scene import Vector
 
 
@@ -95,9 +95,7 @@ def solve_or_retry(
         return sweeps, left
     best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
     for way in range(2):
-        copy_rows(p, start)
-        copy_rows(v, start_v)
-        copy_rows(w, start_w)
+        restore(problem, start, start_v, start_w)
         if way == 0:
             more, other = solve_in_turns(limits, problem, fewest, tolerance, place)
         else:
@@ -107,9 +105,7 @@ def solve_or_retry(
             return sweeps, other
         if other <= left:
             left = other
-            copy_rows(best, p)
-            copy_rows(best_v, v)
-            copy_rows(best_w, w)
+            keep(problem, best, best_v, best_w)
     for anew in range(3):
         free_v, free_w = velocities_without(problem)
         copy_rows(p, best if anew == 2 else start)
@@ -119,9 +115,7 @@ def solve_or_retry(
         last = newton_rounds(problem, limits.tolerance, place, LONGEST)
         if last <= limits.tolerance:
             return sweeps, last
-    copy_rows(p, best)
-    copy_rows(v, best_v)
-    copy_rows(w, best_w)
+    restore(problem, best, best_v, best_w)
     return sweeps, left
 
 

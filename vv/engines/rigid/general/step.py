@@ -42,7 +42,7 @@ from vv.engines.rigid.general.setting import (
 from vv.engines.rigid.limits import NEARLY, SMALL, UNHINTED
 from vv.engines.rigid.slip import least_slip_speed
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, assemble, relative
-from vv.engines.rigid.solver.cone import Friction, Problem
+from vv.engines.rigid.solver.problem import Friction, Problem
 from vv.scene import Mask, Vector
 
 ZERO = (0.0, 0.0, 0.0)

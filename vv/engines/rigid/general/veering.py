@@ -11,7 +11,7 @@ from vv.engines.rigid.general.setting import Past, Setting, State, rates
 from vv.engines.rigid.general.step import Trial, attempt
 from vv.engines.rigid.limits import BRISK, LOITERS, VEERED
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction
+from vv.engines.rigid.solver.problem import Friction
 from vv.scene import Vector
 
 

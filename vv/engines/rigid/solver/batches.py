@@ -20,7 +20,8 @@ from vv.engines.kernels.arrays import counts, larger, square_of
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction, limit
+from vv.engines.rigid.solver.cone import limit
+from vv.engines.rigid.solver.problem import Friction
 from vv.engines.rigid.solver.seats import LANES, runs, seated
 from vv.scene import Vector
 

@@ -10,38 +10,14 @@ directions would change the direction of friction.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from vv.engines.kernels.arrays import clear, larger, rows, zero_numbers, zero_rows
-from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply, relative
+from vv.engines.rigid.solver.problem import Friction, Problem, keep
 from vv.scene import Vector
-
-
-@bundle
-class Friction(NamedTuple):
-    """mu; need: (c,) least normal velocities [m/s]; d, turn: (c, 3); see the module's docstring."""
-
-    mu: float
-    need: Vector
-    d: Vector
-    turn: Vector
-
-
-@bundle
-class Problem(NamedTuple):
-    """Contacts to be solved: impulses p (c, 3) [N s] are sought, whose effect is in v, w (b, 3)."""
-
-    joints: Joints
-    bodies: Bodies
-    friction: Friction
-    p: Vector
-    v: Vector
-    w: Vector
 
 
 @inlined
@@ -132,19 +108,12 @@ def solve_contacts(problem: Problem, tolerance: float, fewest: int, most: int) -
     """
     p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
     v, w = problem.v, problem.w
-    direction, before = zero_rows(len(p)), rows(len(p))
-    direction_v, before_v, direction_w, before_w = (
-        zero_rows(len(v)),
-        rows(len(v)),
-        zero_rows(len(w)),
-        rows(len(w)),
-    )
+    before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
+    direction, direction_v, direction_w = zero_rows(len(p)), zero_rows(len(v)), zero_rows(len(w))
     last, left = 0.0, residual(p, joints, friction, v, w)
     sweeps = 0
     while (left > tolerance or (sweeps < fewest and left > 0.0)) and sweeps < most:
-        copy_rows(before, p)
-        copy_rows(before_v, v)
-        copy_rows(before_w, w)
+        keep(problem, before, before_v, before_w)
         sweep(p, joints, bodies, friction, v, w)
         sweeps += 1
         size, largest = change_of(p, before, joints)
@@ -172,13 +141,6 @@ def change_of(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
         stiff = larger(joints.across[c], joints.along[c])
         largest = larger(largest, square * (stiff * stiff))
     return size, np.sqrt(largest)
-
-
-@lent
-def copy_rows(kept: Vector, rows: Vector) -> None:
-    """Copy rows (k, 3) into kept; for a slice, numba would compile its error messages."""
-    for k in range(len(rows)):
-        put(kept, k, at(rows, k))
 
 
 @lent

@@ -14,8 +14,9 @@ from vv.engines.kernels.arrays import rows, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.engines.rigid.solver.assembly import apply_nonzero
-from vv.engines.rigid.solver.cone import Problem, copy_rows, limit
+from vv.engines.rigid.solver.cone import limit
 from vv.engines.rigid.solver.momentum import momentum_sweeps
+from vv.engines.rigid.solver.problem import Problem, copy_rows, keep, restore
 from vv.scene import Vector
 
 CARRIED, WATCHED, SETTLED = 600, 200, 100  # sweeps at first, to measure drift, after a leap
@@ -41,14 +42,10 @@ def leap_sweeps(problem: Problem, tolerance: float, fewest: int, most: int) -> t
         more, now = momentum_sweeps(problem, tolerance, fewest, few)
         sweeps += more
         if watching and now > tolerance:
-            copy_rows(here, p)
-            copy_rows(here_v, v)
-            copy_rows(here_w, w)
+            keep(problem, here, here_v, here_w)
             leap(problem, before, ahead)
         elif now > WORSE * least:
-            copy_rows(p, here)
-            copy_rows(v, here_v)
-            copy_rows(w, here_w)
+            restore(problem, here, here_v, here_w)
             ahead, now = SHORTER * ahead, left
         elif not watching:
             ahead *= LONGER

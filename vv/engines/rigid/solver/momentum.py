@@ -13,8 +13,9 @@ import numpy as np
 from vv.engines.kernels.arrays import larger, smaller, table
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
-from vv.engines.rigid.solver.cone import Problem, residual
+from vv.engines.rigid.solver.cone import residual
 from vv.engines.rigid.solver.lanes import sweep_batches
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Vector
 
 CAP, LEAST, MOST = 0.93, 0.5, 0.98  # the cap at first, and its bounds

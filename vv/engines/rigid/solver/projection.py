@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.kernels.arrays import clear
-from vv.engines.kernels.compiled import lent
-from vv.engines.kernels.triples import Triple, add_scaled, at, dot
-from vv.engines.rigid.solver.assembly import Joints
-from vv.engines.rigid.solver.cone import Friction, limit
+from vv.engines.kernels.arrays import clear, zero_squares
+from vv.engines.kernels.compiled import called, lent
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
+from vv.engines.rigid.solver.assembly import Joints, relative
+from vv.engines.rigid.solver.cone import limit
+from vv.engines.rigid.solver.problem import Friction, Problem
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -45,3 +46,13 @@ def projected_impulse(
             flatly = (1.0 if i == j else 0.0) - n[i] * n[j] - e[i] * e[j]
             slope[i, j] = stiff * (n[i] + drift[i]) * n[j] + share * along * flatly
     return add_scaled(add_scaled(centre, share, left), normal, n)
+
+
+@called
+def fill_impulses(problem: Problem, q: Vector, stiffness: float, x: Vector, y: Vector) -> None:
+    """Fill p with the projected impulses from q (c, 3) at velocities and spins x, y (b, 3)."""
+    p, joints, slope = problem.p, problem.joints, zero_squares(1)[0]
+    for c in range(len(p)):
+        if joints.across[c] > 0.0:
+            u = relative(joints, c, x, y)
+            put(p, c, projected_impulse(joints, c, problem.friction, stiffness, at(q, c), u, slope))

@@ -1,8 +1,12 @@
-"""Newton rounds of an augmented Lagrangian that go on where the residual grows.
+"""Newton rounds of an augmented Lagrangian, of which the best impulses are kept.
 
 Where blocks are wedged, sweeps may diverge from every solution, and the residual has minima that
 are none. The residual of a round's impulses may then rise for some rounds before it meets what is
 asked, so that rounds are not undone for it.
+
+In the first step of many blocks, residuals add up from course to course: where each contact leaves
+a little, the top of a wall sinks by the sum, and the base lacks the force that would have stopped
+it. Sweeps end far above that, so that rounds go on until the blocks bear what weighs on them.
 """
 
 from __future__ import annotations
@@ -10,11 +14,21 @@ from __future__ import annotations
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import rows, same_rows, smaller
 from vv.engines.kernels.compiled import called
-from vv.engines.kernels.triples import add_scaled, at
-from vv.engines.rigid.limits import FIRMEST, PAUSE, SEARCHED, SOFT, SOFTEST
-from vv.engines.rigid.solver.assembly import apply_nonzero
-from vv.engines.rigid.solver.cone import Problem, copy_rows, residual
-from vv.engines.rigid.solver.newton import newton_round
+from vv.engines.rigid.limits import (
+    FIRMEST,
+    INNER,
+    PAUSE,
+    SEARCHED,
+    SETTLES,
+    SOFT,
+    SOFTEST,
+    STIFF,
+    STIFFEST,
+)
+from vv.engines.rigid.solver.cone import residual
+from vv.engines.rigid.solver.newton import newton_round, newton_solution
+from vv.engines.rigid.solver.problem import Problem, apply_changes, copy_rows, keep, restore
+from vv.engines.rigid.solver.projection import fill_impulses
 
 
 @called
@@ -25,8 +39,7 @@ def newton_rounds(problem: Problem, tolerance: float, place: Index, most: int) -
     iteration does not converge is repeated with softer contacts. Others make contacts stiffer, at
     once or, after failures, only after twice as many as after the failure before.
     """
-    p, joints, bodies, friction = problem.p, problem.joints, problem.bodies, problem.friction
-    v, w = problem.v, problem.w
+    p, joints, friction, v, w = problem.p, problem.joints, problem.friction, problem.v, problem.w
     best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
     before, left, stiffness = rows(len(p)), residual(p, joints, friction, v, w), SOFT
     least, steps, waits, pause = left, 0 * most, 0 * most, PAUSE + 0 * most
@@ -38,17 +51,39 @@ def newton_rounds(problem: Problem, tolerance: float, place: Index, most: int) -
             copy_rows(p, before)
             stiffness, waits, pause = 0.1 * stiffness, pause, 2 * pause
             continue
-        for c in range(len(p)):
-            apply_nonzero(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
+        apply_changes(problem, before, v, w)
         left, waits = residual(p, joints, friction, v, w), waits - 1
         if waits <= 0:
             stiffness = smaller(10.0 * stiffness, FIRMEST)
         if left < least:
             least = left
-            copy_rows(best, p)
-            copy_rows(best_v, v)
-            copy_rows(best_w, w)
-    copy_rows(p, best)
-    copy_rows(v, best_v)
-    copy_rows(w, best_w)
+            keep(problem, best, best_v, best_w)
+    restore(problem, best, best_v, best_w)
+    return least
+
+
+@called
+def settled(problem: Problem, tolerance: float, place: Index) -> float:
+    """Improve impulses until the residual is at most `tolerance` [m/s]; return the residual.
+
+    place: see `band_ordering`. The best impulses are kept. A stiff contact makes a large impulse of
+    a small velocity, so that the impulses of a round are those at its last velocities.
+    """
+    p, joints, friction, v, w = problem.p, problem.joints, problem.friction, problem.v, problem.w
+    best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
+    before, least, stiffness = rows(len(p)), residual(p, joints, friction, v, w), STIFF
+    for _ in range(SETTLES):
+        if least <= tolerance:
+            break
+        copy_rows(before, p)
+        x, y = same_rows(v, len(v)), same_rows(w, len(w))
+        if newton_solution(problem, before, tolerance, stiffness, place, x, y, INNER) < 0:
+            break
+        fill_impulses(problem, before, stiffness, x, y)
+        apply_changes(problem, before, v, w)
+        now, stiffness = residual(p, joints, friction, v, w), smaller(10.0 * stiffness, STIFFEST)
+        if now < least:
+            least = now
+            keep(problem, best, best_v, best_w)
+    restore(problem, best, best_v, best_w)
     return least

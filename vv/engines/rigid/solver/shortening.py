@@ -7,13 +7,11 @@ wrong. The sum of squares of the equations decides how long a step is (Alart and
 from __future__ import annotations
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import larger, numbers, rows, zero_squares
+from vv.engines.kernels.arrays import larger, numbers, rows
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import add_scaled, at, put
 from vv.engines.rigid.limits import HALVINGS
-from vv.engines.rigid.solver.assembly import apply_nonzero, relative
-from vv.engines.rigid.solver.cone import Problem, copy_rows
-from vv.engines.rigid.solver.projection import projected_impulse
+from vv.engines.rigid.solver.problem import Problem, apply_changes, copy_rows
+from vv.engines.rigid.solver.projection import fill_impulses
 from vv.scene import Vector
 
 IMPROVES = 1e-4  # least decrease of the sum of squares, of it and the part of the step
@@ -67,21 +65,13 @@ def shorten(
 
     squares: the sum of their squares before it. q, stiffness: see `newton_solution`. Fills p.
     """
-    p, joints, bodies, v, w = problem.p, problem.joints, problem.bodies, problem.v, problem.w
-    slope, gap, part = zero_squares(1)[0], numbers(len(step)), 1.0
-    z, o = rows(len(v)), rows(len(w))
+    v, w = problem.v, problem.w
+    z, o, gap, part = rows(len(v)), rows(len(w)), numbers(len(step)), 1.0
     for _ in range(HALVINGS):
         copy_rows(z, v)
         copy_rows(o, w)
-        for c in range(len(p)):
-            if joints.across[c] > 0.0:
-                u = relative(joints, c, x, y)
-                put(
-                    p,
-                    c,
-                    projected_impulse(joints, c, problem.friction, stiffness, at(q, c), u, slope),
-                )
-                apply_nonzero(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
+        fill_impulses(problem, q, stiffness, x, y)
+        apply_changes(problem, q, z, o)
         if fill_gaps(gap, rows_of, lever, z, o, x, y) < (1.0 - IMPROVES * part) * squares:
             break
         part *= 0.5

@@ -17,8 +17,9 @@ from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import add_scaled, at, dot
 from vv.engines.rigid.limits import BLURRED, GRAINS, INNER, REFINED, WEDGED
 from vv.engines.rigid.solver.assembly import Joints, relative
-from vv.engines.rigid.solver.cone import Problem, copy_rows, residual
+from vv.engines.rigid.solver.cone import residual
 from vv.engines.rigid.solver.newton import newton_solution
+from vv.engines.rigid.solver.problem import Problem, copy_rows
 from vv.scene import Vector
 
 

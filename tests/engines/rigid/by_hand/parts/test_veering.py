@@ -12,7 +12,7 @@ from vv.engines.rigid.general import veering
 from vv.engines.rigid.general.veering import time_of_even_slip, veers
 from vv.engines.rigid.limits import LOITERS, VEERED
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction
+from vv.engines.rigid.solver.problem import Friction
 
 pytestmark = pytest.mark.usefixtures("in_python")
 MU, MASS, NORMAL, DT, SLACK = 0.5, 4.0, 3.0, 0.01, 1e-9

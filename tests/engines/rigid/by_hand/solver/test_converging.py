@@ -26,7 +26,8 @@ from vv.engines.rigid.limits import (
     SOFTEST,
 )
 from vv.engines.rigid.solver import rounds
-from vv.engines.rigid.solver.cone import Problem, residual
+from vv.engines.rigid.solver.cone import residual
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")

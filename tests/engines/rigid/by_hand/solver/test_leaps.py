@@ -10,7 +10,6 @@ import pytest
 from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from tests.engines.rigid.by_hand.solver.test_sweeps import MU, disc, nearest, rubbing
 from vv.engines.rigid.solver import drift
-from vv.engines.rigid.solver.cone import Problem
 from vv.engines.rigid.solver.drift import (
     AHEAD,
     CARRIED,
@@ -22,6 +21,7 @@ from vv.engines.rigid.solver.drift import (
     leap,
     leap_sweeps,
 )
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")

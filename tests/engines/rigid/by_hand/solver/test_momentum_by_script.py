@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from vv.engines.rigid.solver import momentum
-from vv.engines.rigid.solver.cone import Problem
 from vv.engines.rigid.solver.momentum import (
     CAP,
     GREW,
@@ -22,6 +21,7 @@ from vv.engines.rigid.solver.momentum import (
     momentum_sweeps,
     separated,
 )
+from vv.engines.rigid.solver.problem import Problem
 
 pytestmark = pytest.mark.usefixtures("in_python")
 

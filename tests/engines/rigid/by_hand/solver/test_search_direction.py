@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from vv.engines.rigid.solver import cone
+from vv.engines.rigid.solver.problem import Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
@@ -29,7 +30,7 @@ def test_a_direction_is_followed_by_the_ratio_of_changes_unless_they_grow(
     monkeypatch.setattr(cone, "follow_direction", follow)
     nothing: Any = None
     p, v, w = np.zeros((3, 2, 3))
-    cone.solve_contacts(cone.Problem(nothing, nothing, nothing, p, v, w), 1e-6, 0, len(changes) + 1)
+    cone.solve_contacts(Problem(nothing, nothing, nothing, p, v, w), 1e-6, 0, len(changes) + 1)
     shares = [0.0, 0.25, 1.0, 1.05, 0.2, 2.0]
     assert told == [(pytest.approx(one), one <= 1.0) for one in shares for _ in "pvw"]
 
@@ -44,5 +45,5 @@ def test_sweeps_that_change_little_go_on_while_the_residual_is_large(
     monkeypatch.setattr(cone, "change_of", lambda *_: (1.0, 0.5e-6))
     nothing: Any = None
     p, v, w = np.zeros((3, 2, 3))
-    found = cone.solve_contacts(cone.Problem(nothing, nothing, nothing, p, v, w), 1e-6, 0, 7)
+    found = cone.solve_contacts(Problem(nothing, nothing, nothing, p, v, w), 1e-6, 0, 7)
     assert found == (due, left[due])

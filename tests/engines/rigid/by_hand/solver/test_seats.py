@@ -12,8 +12,9 @@ from vv.engines.blocks.contacts import Contacts
 from vv.engines.rigid.general.few import polish
 from vv.engines.rigid.limits import INNER, LONGEST, STIFF
 from vv.engines.rigid.solver.assembly import Bodies, assemble
-from vv.engines.rigid.solver.cone import Problem, residual
+from vv.engines.rigid.solver.cone import residual
 from vv.engines.rigid.solver.newton import newton_round
+from vv.engines.rigid.solver.problem import Problem
 from vv.engines.rigid.solver.rounds import newton_rounds
 from vv.engines.rigid.solver.seats import DEPTH, LANES, runs, seated
 

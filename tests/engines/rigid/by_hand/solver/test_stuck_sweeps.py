@@ -28,7 +28,7 @@ from vv.engines.rigid.limits import (
     SWEPT,
     TRIED,
 )
-from vv.engines.rigid.solver.cone import Problem
+from vv.engines.rigid.solver.problem import Problem
 
 pytestmark = pytest.mark.usefixtures("in_python")
 MET, ASKED = 1e-6, 1e-8  # m/s: the setting's tolerance, and that of the first step

@@ -9,8 +9,6 @@ import pytest
 
 from tests.engines.rigid.by_hand.solver.test_joints import jacobian, mobility, scattered
 from vv.engines.rigid.solver.cone import (
-    Friction,
-    Problem,
     change_of,
     follow_direction,
     limit,
@@ -21,6 +19,7 @@ from vv.engines.rigid.solver.cone import (
     solve_contacts,
     sweep,
 )
+from vv.engines.rigid.solver.problem import Friction, Problem
 from vv.scene import Vector
 
 pytestmark = pytest.mark.usefixtures("in_python")
