@@ -64,7 +64,7 @@ class Rounds:
         patch.setattr(where, "residual", lambda *_: self._now)
         self.p = np.ones((2, 3))
         self.joints = SimpleNamespace(across=np.array([1.0, 3.0]))
-        patch.setattr(where, "apply_nonzero", self._applied)
+        patch.setattr(where, "apply_changes", self._applied)
         self.v, self.w = np.zeros((2, 3)), np.zeros((2, 3))
         nothing: Any = None
         joints: Any = self.joints
@@ -78,9 +78,10 @@ class Rounds:
         p += 1.0
         return 5 if self._now >= 0.0 else -int(given[-1])
 
-    def _applied(self, joints: Any, c: int, bodies: Any, v: Vector, w: Vector, p: Any) -> None:
-        v += p[0]
-        w -= p[0]
+    def _applied(self, problem: Problem, before: Vector, v: Vector, w: Vector) -> None:
+        change = (problem.p - before)[:, 0].sum()
+        v += change
+        w -= change
 
 
 def polished(told: Rounds, left: float, stiffness: float) -> float:
