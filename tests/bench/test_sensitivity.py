@@ -35,7 +35,7 @@ STIFF = {
     "1d": Level.QUICK,
     "1d-mu-1": Level.DEFAULT,
     "2d": Level.DEFAULT,
-    "3d": Level.QUICK,
+    "3d": Level.DEFAULT,
     "3d-turning": Level.QUICK,
 }
 
