@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from cases.hard.parts._standing_bounds import RESTS, SINKING, STANDS, fall_bounds, stack_bounds
 from reference_solutions.hard import arch, falling_arch
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
@@ -24,7 +25,6 @@ from vv.case import (
     Scalar,
     Series,
     Source,
-    Tolerance,
     Trial,
     Variant,
 )
@@ -86,7 +86,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     quantity = (
         _crown_sinking(p, goal)
         if variant == "arch-thin"
-        else _moved(seen, p, STANDS if variant == "arch" else _stack_bounds(p["n"]))
+        else _moved(seen, p, STANDS if variant == "arch" else stack_bounds(p["n"]))
     )
     kn = _stiffness(p, pace)
     levels = dict.fromkeys(Level, tuple(Knobs(pace * dt, kn) for dt in STEPS[variant]))
@@ -130,53 +130,17 @@ def _moved(seen: tuple[Displacement, ...], p: Parameters, judge: Exact) -> Quant
     )  # fmt: skip
 
 
-def _stack_bounds(n: float) -> Exact:
-    """The judge of a stack of n blocks, whose tilts add up towards the top."""
-    creep = Tolerance(
-        5e-7 * (n / 20) ** 2,
-        "contacts are solved to about 1e-9 m/s; over 10 s, with tilts that add up, a stack of "
-        "twenty may creep by half a micrometre, and another in proportion to the square of its "
-        "height",
-        slack="a short stack is solved to rounding in most steps",
-    )
-    sweeps = Tolerance(
-        1e-5 * max(1.0, (n / 20) ** 2),
-        "contacts that a code solves to a tolerance of its own creep by micrometres in 10 s, in "
-        "proportion to the square of the height",
-    )
-    rigid = {Method.SECOND_ORDER: creep, Method.FIRST_ORDER: sweeps}
-    return Exact(rigid | dict.fromkeys(SPRUNG, Tolerance(1e-12 * max(1.0, n / 20), PRESSED)))
-
-
 def _crown_sinking(p: Parameters, goal: History) -> Quantity:
     falls = functools.partial(
         falling_arch.crown_drop, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
     )
-    judge = _fall_bounds(_pace(p))
+    judge = fall_bounds(_pace(p))
     _check_resolved(p, falls, goal, judge)
     return Series(
         "sunk", "d", "m", "downward displacement of the voussoir beside the crown",
         ComponentAlong(Displacement(VOUSSOIRS // 2), -Z),
         falls,
         judge,
-    )  # fmt: skip
-
-
-def _fall_bounds(pace: float) -> Exact:
-    """pace: by what the steps are multiplied, see `_pace`."""
-    return Exact(
-        {
-            Method.SECOND_ORDER: Tolerance(
-                3e-4, "contacts are solved to 5e-6 m/s, and the arch sinks at up to 1e-2 m/s",
-                dt=2.5e-3 * pace, order=2,
-            ),
-            Method.FIRST_ORDER: Tolerance(
-                2.5e-2, "the fall starts half a step late, an error of dt over the 0.2 s of the "
-                "fall; twice that is allowed",
-                dt=2.5e-3 * pace, order=1,
-            ),
-        },
-        not_judged=dict.fromkeys(SPRUNG, HINGED),
     )  # fmt: skip
 
 
@@ -211,49 +175,6 @@ GOALS = {
     "arch": History(1.0, 0.1),
     "arch-thin": History(0.2, 0.02),
 }
-RIGID, SPRUNG = (
-    (Method.SECOND_ORDER, Method.FIRST_ORDER),
-    (Method.PENALTY, Method.LAGGING),
-)
-PRESSED = (
-    "springs start compressed by the loads; they neither oscillate nor open, and rounding adds up "
-    "along a stack"
-)
-SETTLES = (
-    "springs start compressed by the weights; where a joint opens at one edge, the other "
-    "sinks by W/kn, 1e-6 m"
-)
-RESTS = Tolerance(
-    5e-9,
-    "nothing moves, so that the energies of motion give no scale for rounding errors. These move a "
-    "stack by 3e-7 of its size in 10 s at most, which changes its energy by a fraction of the work "
-    "of its weight over that",
-)
-SINKING = Tolerance(
-    2e-8,
-    "contacts are solved to 5e-6 m/s or better, in fact to about 1e-8 m/s, at which the blocks "
-    "would sink by 2e-9 of their size in 0.2 s: friction may add some times the energy of that",
-)
-STANDS = Exact(
-    {
-        Method.SECOND_ORDER: Tolerance(
-            1e-10, "contacts whose loads do not change are solved to rounding, over one second"
-        ),
-        Method.FIRST_ORDER: Tolerance(1e-7, "contacts are solved to about 1e-8 m/s, over a second"),
-        Method.PENALTY: Tolerance(1e-6, SETTLES),
-        Method.LAGGING: Tolerance(
-            1e-5,
-            SETTLES,
-            slack="springs that start with the forces of rest settle less",
-        ),
-    }
-)
-HINGED = (
-    "joints that yield act like a thinner arch: it falls twice as fast on 1e9 N/m, 1.2 times as "
-    "fast on 1e10 N/m and 1.04 times on 1e11 N/m. With lagging friction, open-close iterations end "
-    "beyond Coulomb's limit, and the run diverges at steps of 5e-3 s and 6.25e-4 s, which are left "
-    "out here"
-)
 FOR_ARCHES = frozenset({"part"})
 STEADY = "a structure that stands does so at any size and weight, and with any sufficient friction"
 STACKED = dict.fromkeys(("size", "n", "mu", "g"), STEADY)
