@@ -16,7 +16,7 @@ from cases.bonds.parts._failure_bounds import (
     slope_bounds,
 )
 from cases.bonds.parts._pressed_block import PULLED, Pressed, may_pull, strain_at_sliding
-from cases.bonds.parts._quartzite import BRITTLE
+from cases.bonds.parts._quartzite import BRITTLE, slower_lattice
 from cases.bonds.parts._specimens import block_of, on_tops, specimen
 from reference_solutions.bonds import lattice_failure, lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice
@@ -53,11 +53,18 @@ def _declare(variant: str, p: Parameters) -> Trial:
     watched: tuple[Observable, ...] = () if counted else tuple(tops)
     energies = (Form.BROKEN_NORMAL,) if counted else ()
     goal = History(duration, duration / OUTPUTS)
-    study = Ladder(specimen(p, block, (1.0,)), goal, watched, LEVELS, energies=energies)
+    study = Ladder(specimen(p, block, (1.0,)), goal, watched, _levels(p), energies=energies)
     histories = functools.cache(functools.partial(_histories, p, block))
     if counted:
         return Trial(study, _counts(p, block, histories, own))
     return Trial(study, _stresses(Pressed(p, block, histories, tops), own))
+
+
+def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
+    """The error depends on the rate and hardly on the step, as two stable steps show."""
+    coarsest = COARSEST * min(1.0, slower_lattice(p["kn"], p["ks"], p["m"]))
+    rungs = tuple(Knobs(dt=coarsest / 2**i) for i in range(2))
+    return {Level.QUICK: rungs[:1], Level.DEFAULT: rungs[:1], Level.PAPER: rungs}
 
 
 def _histories(p: Parameters, block: Lattice) -> tuple[lattice_failure.History, ...]:
@@ -181,12 +188,6 @@ STRETCHED = bounds(
     "others open",
 )
 COARSEST = 8e-8  # s
-RUNGS = tuple(Knobs(dt=COARSEST / 2**i) for i in range(2))
-LEVELS = {  # the error depends on the rate and hardly on the step, as two steps show
-    Level.QUICK: RUNGS[:1],
-    Level.DEFAULT: RUNGS[:1],
-    Level.PAPER: RUNGS,
-}
 NETWORK = "the network's stress under its strain, its most stretched bonds taken out at xb"
 NO_SIZE = {
     "d": "forces depend on springs and strengths, not on the size; the case divides them by areas"

@@ -9,6 +9,7 @@ import numpy as np
 from cases._papers import LIU_2017
 from cases.bonds.parts import _open_base as open_base
 from cases.bonds.parts._loading import (
+    APART,
     BEYOND,
     EVERY,
     RATES,
@@ -41,7 +42,6 @@ from vv.case import (
 from vv.scene import Bonds, Contact, Scene, Spheres
 
 ON_BASE = np.array([[True, True, False]] * 4)  # the top is driven, the base slides on its plane
-APART = 10.0  # diameters between the units, which never meet
 SHARES = {"two": (0.0, 1.0), "five": (0.0, 0.125, 0.25, 0.5, 1.0)}  # of the largest load
 
 

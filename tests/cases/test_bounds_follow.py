@@ -126,6 +126,8 @@ RIGHT = {
     "unlike-bonds:spinning duration=0.03": "yade/default",
     "tetrahedral-unit:pulled strain=1e-7": "yade/half-step-mass",
     "tetrahedral-unit:pressed kn=4679383.1": "yade/half-step-mass",
+    "tetrahedral-strength:pressed d=3e-4": "yade/default",
+    "tetrahedral-strength:pulled m=5.6214989e-7": "yade/default",
     "unlike-bonds:hung kn=1.93e4 v=0.054 stretch=0.00165": "dem/default",
     "close-packed-energy:pulled-82 kn=1.62e7 ks=8.88e6 d=3.91e-4": "dem/default",
     "close-packed-energy:pressed-82 rate=-16": "dem/default",
@@ -140,6 +142,7 @@ RIGHT = {
     "rate=-1.11": "dem/default",
     "close-packed-failure:82 kn=5.84e7 ks=6.78e6 xb=1.73e-7 fs0=18.7 mu_p=0.441 d=0.00112 "
     "m=1.63e-6 rate=-0.769": "dem/default",
+    "close-packed-failure:82 m=5.6214989e-7": "dem/default",
     "close-packed-failure:82 ks=5.29e6": "dem/default",
     "close-packed-failure:82 fs0=38.8 d=0.00108": "dem/default",
     "masonry:slides columns=8 courses=7 mu=0.209 D=0.0572 f=1.54 g=11 duration=0.528": (

@@ -15,9 +15,10 @@ from vv.case import Level, Parameters
 from vv.scene import Vector
 
 RATES = (2.0, 1.0)  # rates of loading of the two units, over that of the slower one
+APART = 10.0  # diameters between the units, which never meet
 BEYOND = 1.15  # of the strain at failure, up to which the slower unit is loaded
 EVERY = 1.6e-7  # s between outputs
-COARSEST = 4e-8  # s
+COARSEST, FINEST = 4e-8, 4  # s, and that over the finest step
 SLOWED = 1.5  # times m/eta: the longest step; from 2 on drag of half a step ago is unstable
 FIRST = 4  # outputs before a failure, from the last two of which it is extrapolated
 FALL = 0.05  # relative fall below the largest stress so far that shows broken bonds, at most
@@ -31,7 +32,7 @@ def coarsest(p: Parameters) -> float:
 
 def levels(coarse: float) -> dict[Level, tuple[Knobs, ...]]:
     """The rungs of each level, from the coarsest step [s]."""
-    rungs = tuple(Knobs(dt=coarse / 2**i) for i in range(3))
+    rungs = tuple(Knobs(dt=coarse / n) for n in (1, 2, FINEST))
     return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:2], Level.PAPER: rungs}
 
 
