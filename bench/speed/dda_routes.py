@@ -38,7 +38,8 @@ def solved(program: PreparedBlocks) -> tuple[float, Vector]:
 def routes(ask: Ask, way: Formulation) -> tuple[float, float, float]:
     """The microseconds per step of both solvers, and the difference of their paths."""
     few, short = solved(prepare(ask, way))
-    many, long = solved(PreparedBlocks(ask, way, General(ask.scene, way)))
+    listed = np.arange(len(ask.scene.blocks))
+    many, long = solved(PreparedBlocks(ask, way, General(ask.scene, way), listed))
     return few, many, float(np.abs(short - long).max() / np.abs(short).max())
 
 

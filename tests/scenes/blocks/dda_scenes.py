@@ -87,7 +87,7 @@ def run(ask: Ask, way: Formulation) -> Run:
 
 
 def general(ask: Ask, way: Formulation) -> Run:
-    program = PreparedBlocks(ask, way, General(ask.scene, way))
+    program = PreparedBlocks(ask, way, General(ask.scene, way), np.arange(len(ask.scene.blocks)))
     done = program.run(program.solve())
     assert done.status is Status.RAN, done.reason
     return done

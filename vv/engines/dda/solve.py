@@ -23,10 +23,12 @@ from vv.ask import (
     Strain,
 )
 from vv.engines.blocks.checks import block_index, size
+from vv.engines.blocks.geometry import Index
 from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.grooves import along_groove
 from vv.engines.dda.general.model import General
 from vv.engines.dda.limits import COULOMB, GAIN, MOMENTUM, REACH
+from vv.engines.dda.ordering import short_rows
 from vv.engines.dda.point.model import Sliding, sliding
 from vv.engines.dda.refusals import refuses, settles
 from vv.engines.dda.springs import springs
@@ -59,12 +61,13 @@ ROUNDINGS = 64  # rounding units of the peak energy, allowed per step
 class PreparedBlocks:
     """An ask prepared for any number of solves: a `vv.codes.timing.Prepared`.
 
-    system: the smallest model that serves its scene.
+    system: the smallest model that serves its scene; place: of each block of the scene in it.
     """
 
     ask: Ask
     formulation: Formulation
     system: Sliding | General
+    place: Index
 
     @property
     def model(self) -> Model:
@@ -85,8 +88,9 @@ class PreparedBlocks:
 
     @functools.cached_property
     def watched(self) -> tuple[int, ...]:
-        """The observed blocks; raises ValueError for a body that is not a block."""
-        return tuple(block_index(self.ask.scene, what.body) for what in self.ask.observables)
+        """The places of the observed blocks; raises ValueError for a body that is not a block."""
+        blocks = (block_index(self.ask.scene, what.body) for what in self.ask.observables)
+        return tuple(int(self.place[block]) for block in blocks)
 
     @property
     def settling(self) -> int:
@@ -230,9 +234,8 @@ def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
     choices = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
     held = any(isinstance(what, Reaction | Impulse) for what in ask.observables)
     small = sliding(ask.scene, choices) if choices.stepping == IMPLICIT and not held else None
-    scene = along_groove(ask.scene) if choices.multipliers else ask.scene
-    system = small or General(scene, choices)
-    return PreparedBlocks(ask, choices, system)
+    scene, place = short_rows(along_groove(ask.scene) if choices.multipliers else ask.scene)
+    return PreparedBlocks(ask, choices, small or General(scene, choices), place)
 
 
 def solve(ask: Ask, formulation: Formulation) -> Run:
