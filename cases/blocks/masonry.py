@@ -36,6 +36,8 @@ from vv.scene import Block, Contact, Harmonic, Scene, Vector, polyhedron_inertia
 
 OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 X, Y, Z = np.eye(3)
+# columns courses min(columns, courses)^2 from which codes that solve equations take over a minute
+COSTLIEST = 1.2e5
 BED = 0  # the bedstone, on which all stands
 
 
@@ -46,6 +48,18 @@ def _prism(name: str, corners: Vector, held: bool = False) -> Block:
     mass, inertia = polyhedron_inertia(vertices, OUTLINE, DENSITY)
     free, turns = (Y > 1, Y > 1) if held else (Y == 0, Y != 0)
     return Block(name, vertices, OUTLINE, mass, inertia, np.zeros(3), free=free, free_spin=turns)
+
+
+def _check_size(columns: int, courses: int) -> None:
+    """Raise ValueError for a facade without room for its openings, or too large to be solved."""
+    facade.openings(columns, courses)
+    cost = float(columns) * courses * min(columns, courses) ** 2
+    if not cost <= COSTLIEST:
+        raise ValueError(
+            f"columns = {columns}, courses = {courses}; equations with that many blocks along and "
+            f"across take columns courses min(columns, courses)^2 = {cost:.3g} operations each "
+            f"time; at most {COSTLIEST:g} are done, about a minute of calculation for a run"
+        )
 
 
 def _check_friction(p: Parameters) -> None:
@@ -72,6 +86,7 @@ def _blocks(p: Parameters, arched: bool) -> list[Block]:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     still, slides = variant in STILL, variant in SLIDING
+    _check_size(int(p["columns"]), int(p["courses"]))
     if still:
         _check_friction(p)
     blocks = _blocks(p, arched=not slides)

@@ -37,6 +37,7 @@ DEEP = 10.0  # of the plane below the floor on which grains come to rest [D]
 STIFF, SHEAR, DAMPED, DENSE = 3e3, 2.0 / 7.0, 0.3, 2500.0
 FILLED = 0.59  # solid fraction of the poured grains
 FROM, TO, SLACK = 0.1, 0.4, 1.2  # parts that have left; time allowed over that of the law
+FLOWS = 5.0  # mean grains across a hole over which spheres do not arch (Zuriguel and others 2005)
 ROWS, TOLD = 50, 0.1  # number of outputs; unit of rounding over the rate of the law
 
 
@@ -133,7 +134,22 @@ def _astray(scene: Scene, count: int, run: Run) -> float:
     return float((wide.any(axis=0) | (crossed & beside).any(axis=0)).sum())
 
 
+def _check_opening(clear: float) -> None:
+    """Raise ValueError for a hole that grains arch over, or that leaves no floor beside it."""
+    if not clear <= WIDE - 2.0 * (1.0 + MEAN):
+        raise ValueError(
+            f"opening = {clear!r}; it must be at most {WIDE - 2.0 * (1.0 + MEAN):.3g}, so that "
+            "grains rest between the edge of the hole and the sides; otherwise the filling falls"
+        )
+    if not (clear >= 1.0 and hopper.across(clear) >= FLOWS * MEAN):
+        raise ValueError(
+            f"opening = {clear!r}; the hole must be as wide as {FLOWS:g} mean grains, or they may "
+            "arch over it and stop"
+        )
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
+    _check_opening(p["opening"])
     scene, count = _scene(variant, p)
     unit, opening = math.sqrt(MEAN * D / p["g"]), hopper.across(p["opening"]) / MEAN
     law, sure = hopper.rate(opening, FILLED) / unit, hopper.uncertainty(opening)

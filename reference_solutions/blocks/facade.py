@@ -28,10 +28,10 @@ def areas(columns: int, courses: int, length: float, height: float) -> tuple[flo
 
 def openings(columns: int, courses: int) -> tuple[tuple[float, int, int], ...]:
     """Half width [blocks], first course and lintel's course of the door and of any window above."""
-    if columns < 6 or columns % 2 or courses < 5:
-        raise ValueError(
-            f"{columns} columns, {courses} courses; even, at least 6, and 5 are needed"
-        )
+    if columns < 6 or columns % 2:
+        raise ValueError(f"columns = {columns}; the number must be even and at least 6")
+    if courses < 5:
+        raise ValueError(f"courses = {courses}; the openings need at least 5")
     door = (1.0, 0, 3) if courses < 12 else (1.5, 0, 7)
     return (door,) if courses < 12 else (door, (1.0, 9, 12))
 
