@@ -7,7 +7,13 @@ from collections.abc import Callable
 import numpy as np
 
 from cases.blocks.parts._vibrating import resounding
-from cases.blocks.parts.responding._slow import Path, kept, late_springs, sharp_turns
+from cases.blocks.parts.responding._slow import (
+    Path,
+    kept,
+    late_springs,
+    sharp_turns,
+    turned_back,
+)
 from vv.ask import Method
 from vv.case import LARGEST_TOLERANCE, Exact, Parameters, Tolerance
 
@@ -69,15 +75,18 @@ def in_plane(p: Parameters, path: Path, way: float) -> Exact:
 
     way: the largest displacement [m].
     """
-    first = _whole_steps(p, way)
+    stops = _stops(p, path)
+    first = _whole_steps(p, way, stops)
     within = _within_steps(p) if directions(p) == 1 else {}
-    return Exact(_tolerances(p, path, way) | first | within, not_judged={} if first else LOST)
+    return Exact(
+        _tolerances(p, path, way, stops) | first | within, not_judged={} if first else LOST
+    )
 
 
-def _tolerances(p: Parameters, path: Path, way: float) -> dict[Method, Tolerance]:
+def _tolerances(p: Parameters, path: Path, way: float, stops: float) -> dict[Method, Tolerance]:
     """The tolerances: reversals of slip are located, or late by a part of a step or of 1/w."""
     one_way = directions(p) == 1
-    rate, stops = p["mu"] * p["g"] * p["duration"] / way, _stops(p)
+    rate = p["mu"] * p["g"] * p["duration"] / way
     # f in Hz: delays add up faster at higher frequencies
     fastest = 2 * np.pi * max(p["f"] if p["D"] else 0.0, p["fy"])
     quick = 1 + p["f"] / 3 if one_way else resounding(fastest, SPRING / MASS)
@@ -106,20 +115,22 @@ def _largest_acceleration(p: Parameters) -> float:
     return float(np.hypot(*(np.array([p["D"], p["Dy"]]) * rates**2)))
 
 
-def _stops(p: Parameters) -> float:
+def _stops(p: Parameters, path: Path) -> float:
     """The steps by which slip is late because the base stops along both axes, over the run.
 
     Slip is then that of the block alone, some mu g/w. Where the base gains half of that in a step,
     the direction of slip turns within it, and friction of that step is wrong by up to mu g dt. This
     happens twice a period of the slower axis at most, and moves the block for half the run on
-    average.
+    average. Slip that passes near rest elsewhere, since the block moves too, is counted.
     """
     if directions(p) == 1:
         return 0.0
     rates = 2 * np.pi * np.array([p["f"], p["fy"]])
     gained = _largest_acceleration(p) * STEP
     slow = float(rates.min())
-    return p["duration"] * slow / (2 * np.pi) if p["mu"] * p["g"] / slow < 2 * gained else 0.0
+    if p["mu"] * p["g"] / slow < 2 * gained:
+        return p["duration"] * slow / (2 * np.pi)
+    return turned_back(p, path, gained)
 
 
 def _located(p: Parameters, rate: float) -> Tolerance:
@@ -143,10 +154,10 @@ def _rounding(p: Parameters, path: Path) -> Tolerance:
     )
 
 
-def _whole_steps(p: Parameters, way: float) -> dict[Method, Tolerance]:
+def _whole_steps(p: Parameters, way: float, stops: float) -> dict[Method, Tolerance]:
     """For first order: friction acts at ends of steps; empty if the bound at STEP is too large."""
     omega = 2 * np.pi * np.array([p["f"], p["fy"], p["fz"]][: directions(p)])
-    stopped = p["mu"] * p["g"] * p["duration"] / way * _stops(p)
+    stopped = p["mu"] * p["g"] * p["duration"] / way * stops
     late = reversal_error(p) if len(omega) == 1 else float(omega.max()) + stopped
     bound = Tolerance(
         1e-9,

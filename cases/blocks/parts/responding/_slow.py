@@ -57,7 +57,7 @@ def sharp_turns(p: Parameters, path: Path, way: float) -> Callable[[float], floa
     then friction is wrong while it turns by more than that, for 1.2 sqrt(b dt) in all.
     """
     lost = friction(p) * kept(p) / 2 / way
-    found = functools.cache(lambda: _passes(p, path))
+    found = functools.cache(lambda: _passes(p, path)[1])
 
     def error(dt: float) -> float:
         passes = found()
@@ -67,13 +67,23 @@ def sharp_turns(p: Parameters, path: Path, way: float) -> Callable[[float], floa
     return error
 
 
+def turned_back(p: Parameters, path: Path, gained: float) -> float:
+    """The number of times that slip turns back in one step, each by the part of the run after it.
+
+    gained: what the base gains in a step [m/s]. Slip that passes within half of that of rest has
+    another direction at the end of the step.
+    """
+    when, _, least = _passes(p, path)
+    return float((1.0 - when[least < gained / 2] / p["duration"]).sum())
+
+
 def _sines(p: Parameters) -> list[tuple[float, float]]:
     """Amplitude [m] and angular frequency [1/s] along x and y."""
     return [(p[D], 2 * np.pi * p[f]) for D, f in (("D", "f"), ("Dy", "fy"))]
 
 
-def _passes(p: Parameters, path: Path) -> Vector:
-    """How close to rest slip passes: its least speed over the rate of its change, b [s]."""
+def _passes(p: Parameters, path: Path) -> tuple[Vector, Vector, Vector]:
+    """When slip passes near rest [s], its least speed over the rate of its change [s], and that."""
     fastest = max(p["f"], p["fy"])
     t = np.linspace(0.0, p["duration"], int(FINE * fastest * p["duration"]) + 3)[1:-1]
     near = NEAR / fastest
@@ -86,4 +96,5 @@ def _passes(p: Parameters, path: Path) -> Vector:
     nearest = -(slip[:-1] * change).sum(axis=1) / square
     across = np.abs(slip[:-1, 0] * change[:, 1] - slip[:-1, 1] * change[:, 0]) / square
     here = moving & (nearest >= 0) & (nearest <= 1) & (across > 0)
-    return np.asarray(across[here] * (t[1] - t[0]))
+    close = across[here] * np.sqrt(square[here])
+    return t[:-1][here], np.asarray(across[here] * (t[1] - t[0])), np.asarray(close)
