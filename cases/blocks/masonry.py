@@ -50,15 +50,16 @@ def _prism(name: str, corners: Vector, held: bool = False) -> Block:
     return Block(name, vertices, OUTLINE, mass, inertia, np.zeros(3), free=free, free_spin=turns)
 
 
-def _check_size(columns: int, courses: int) -> None:
+def _check_size(p: Parameters) -> None:
     """Raise ValueError for a facade without room for its openings, or too large to be solved."""
+    columns, courses = int(p["columns"]), int(p["courses"])
     facade.openings(columns, courses)
     cost = float(columns) * courses * min(columns, courses) ** 2
     if not cost <= COSTLIEST:
         raise ValueError(
-            f"columns = {columns}, courses = {courses}; equations with that many blocks along and "
-            f"across take columns courses min(columns, courses)^2 = {cost:.3g} operations each "
-            f"time; at most {COSTLIEST:g} are done, about a minute of calculation for a run"
+            f"columns = {p['columns']!r}, courses = {p['courses']!r}; equations of so many blocks "
+            f"along and across have the size columns courses min(columns, courses)^2 = {cost:.3g}; "
+            f"at most {COSTLIEST:g} are solved, in about a minute of calculation"
         )
 
 
@@ -86,7 +87,7 @@ def _blocks(p: Parameters, arched: bool) -> list[Block]:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     still, slides = variant in STILL, variant in SLIDING
-    _check_size(int(p["columns"]), int(p["courses"]))
+    _check_size(p)
     if still:
         _check_friction(p)
     blocks = _blocks(p, arched=not slides)
