@@ -57,15 +57,42 @@ def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
     spheres and their masses differ, so that it couples the modes; the solution is that of y' = A y
     for the vector y of displacements, velocities and the number 1.
     """
+    require_positive("N s/m", eta=eta)
+    stiffness, pulled = _springs(row, length)
+    drag, square = np.diag(eta / row.m), stiffness / row.m[:, None]
+    return _linear(require_times(t), drag, square, pulled / row.m, v)
+
+
+def leapt(t: Array, row: Row, *, length: Array, v: Array, eta: float, dt: float) -> Array:
+    """What a leapfrog with drag at the middle of its steps dt [s] gives for `slowed`, up to dt^4.
+
+    Its central differences solve x'' + C x' + A x = f - dt^2/12 (x'''' + 2 C x'''), started with
+    the velocity v - dt^2/6 x'''; in the terms of dt^2, derivatives follow from x'' = f - C x' - A x
+    (Warming and Hyett 1974, The modified equation approach to the stability and accuracy analysis
+    of finite-difference methods, Journal of Computational Physics 14, 159-179).
+    """
+    require_positive("N s/m, s", eta=eta, dt=dt)
+    stiffness, pulled = _springs(row, length)
+    drag, square, load = np.diag(eta / row.m), stiffness / row.m[:, None], pulled / row.m
+    more = dt**2 / 12 * (drag @ drag + square)
+    third = -drag @ (load - drag @ v) - square @ v
+    return _linear(
+        require_times(t),
+        drag + more @ drag - dt**2 / 12 * drag @ square,
+        square + more @ square,
+        load + more @ load,
+        v - dt**2 / 6 * third,
+    )
+
+
+def _linear(times: Array, drag: Array, square: Array, load: Array, v: Array) -> Array:
+    """Displacements (k, N) at times (k,) of u'' = load - drag u' - square u, from u = 0, u' = v."""
     from scipy.linalg import expm
 
-    require_positive("N s/m", eta=eta)
-    times, (stiffness, pulled), n = require_times(t), _springs(row, length), len(row.m)
+    n = len(v)
     rate = np.zeros((2 * n + 1, 2 * n + 1))
     rate[:n, n:-1] = np.eye(n)
-    rate[n:-1, :n] = -stiffness / row.m[:, None]
-    rate[n:-1, n:-1] = -np.diag(eta / row.m)
-    rate[n:-1, -1] = pulled / row.m
+    rate[n:-1, :n], rate[n:-1, n:-1], rate[n:-1, -1] = -square, -drag, load
     start = np.concatenate([np.zeros(n), v, [1.0]])
     return np.asarray((expm(rate * times[:, None, None]) @ start)[:, :n])
 

@@ -89,6 +89,38 @@ def slowed_agrees(one: ModuleType) -> bool:
     return bool(np.abs(found - due).max() < 1e-10 * np.abs(due).max())
 
 
+DRAG, STEP = 150.0, 1e-3  # N s/m, s: of the leapfrog
+
+
+@functools.cache
+def leapt_by_hand(dt: float) -> np.ndarray:
+    """Central differences (k, 4) [m] of the row with drag, of which rows are at the times T."""
+    joined = np.zeros((3, 4))
+    for bond, (i, j) in enumerate(ROW.bonds):
+        joined[bond, [i, j]] = np.array([-1.0, 1.0]) * np.sign(ROW.x[j] - ROW.x[i])
+    pulled = -joined.T @ (ROW.kn * (LENGTH - LONGER))
+    now = np.zeros(4)
+    before = -dt * THROWN + dt**2 / 2 * (pulled - DRAG * THROWN) / M
+    every, kept = round(float(T[1]) / dt), [now]
+    for step in range(1, 4 * every + 1):
+        force = pulled - joined.T @ (ROW.kn * (joined @ now))
+        after = dt**2 * force / M + 2 * now - (1 - DRAG * dt / (2 * M)) * before
+        before, now = now, after / (1 + DRAG * dt / (2 * M))
+        if step % every == 0:
+            kept.append(now)
+    return np.array(kept)
+
+
+def leapt_agrees(one: ModuleType) -> bool:
+    """Whether what is left of the error of a leapfrog is of fourth order in its step."""
+    row, left, law = one.Row(**vars(ROW)), [], {"length": LONGER, "v": THROWN, "eta": DRAG}
+    for dt in (STEP, STEP / 2):
+        due = leapt_by_hand(dt)
+        left.append(np.abs(one.leapt(T, row, dt=dt, **law) - due).max())
+        missed = np.abs(closed.slowed(T, ROW, **law) - due).max()
+    return bool(14 < left[0] / left[1] < 18 and left[1] < 0.01 * missed)
+
+
 def starts_agree(one: ModuleType) -> bool:
     """Whether the accelerations at t = 0 are those with which both motions begin."""
     row, t, law = one.Row(**vars(ROW)), np.array([0.0, 1e-6]), {"length": LONGER, "v": THROWN}
@@ -107,6 +139,10 @@ def test_drag_slows_unlike_spheres_of_a_row() -> None:
     assert slowed_agrees(closed)
 
 
+def test_a_leapfrog_with_drag_errs_as_its_modified_equation_says() -> None:
+    assert leapt_agrees(closed)
+
+
 def test_what_holds_a_row_takes_its_momentum() -> None:
     assert held_agrees(closed)
 
@@ -121,6 +157,7 @@ def test_any_wrong_sign_in_the_formulas_is_caught(sign: int) -> None:
             and held_agrees(other)
             and slowed_agrees(other)
             and starts_agree(other)
+            and leapt_agrees(other)
         )
     )
 
