@@ -145,14 +145,16 @@ def eliminate(matrix: Vector, right: Vector, half: int) -> None:
     """Replace right (m,) by the solution of a banded system; the matrix is overwritten.
 
     matrix: (m, 3 half + 1), with element (i, j) in row i and column j - i + half, zero farther than
-    `half` from the diagonal. Gaussian elimination; its pivots fill the other columns.
+    `half` from the diagonal. Gaussian elimination; its pivots fill the other columns, of which only
+    those are computed that rows taken as pivots so far can fill: few, as most are on the diagonal.
     """
-    last = len(right) - 1
+    last, most = len(right) - 1, 0
     for k in range(len(right)):
-        best, low, most = k, smaller(k + half, last), smaller(k + 2 * half, last)
+        best, low = k, smaller(k + half, last)
         for i in range(k + 1, low + 1):
             if abs(matrix[i, k - i + half]) > abs(matrix[best, k - best + half]):
                 best = i
+        most = larger(most, smaller(best + half, last))
         if best != k:
             for j in range(k, most + 1):
                 one, two = matrix[k, j - k + half], matrix[best, j - best + half]

@@ -23,7 +23,7 @@ from vv.engines.kernels.arrays import (
     zero_numbers,
     zero_squares,
 )
-from vv.engines.kernels.compiled import called, lent
+from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
@@ -55,7 +55,7 @@ def longest_arms(joints: Joints, blocks: int) -> Vector:
     return lever
 
 
-@lent
+@inlined
 def velocity_per_unknown(joints: Joints, c: int, side: int, k: int, lever: float) -> Triple:
     """The change of the relative velocity at contact c per unit of unknown k of a body, 0 <= k < 6.
 
@@ -136,7 +136,8 @@ def newton_solution(
             if joints.across[c] > 0.0:
                 u = relative(joints, c, x, y)
                 put(p, c, projected_impulse(joints, c, friction, stiffness, at(q, c), u, slope))
-                add_stiffness(matrix, joints, c, bodies, rows_of, half, slope, lever)
+                if dot(at(p, c), at(p, c)) > 0.0:  # otherwise it is open
+                    add_stiffness(matrix, joints, c, bodies, rows_of, half, slope, lever)
                 apply_nonzero(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
         squares = fill_gaps(right, rows_of, lever, z, o, x, y)
         for row in range(m):
