@@ -27,10 +27,9 @@ from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply_nonzero, relative, times
+from vv.engines.rigid.solver.augmented import add_step, fill_gaps, projected_impulse, shorten
 from vv.engines.rigid.solver.banded import eliminate, equation_numbers, half_width
 from vv.engines.rigid.solver.problem import Problem, copy_rows
-from vv.engines.rigid.solver.projection import projected_impulse
-from vv.engines.rigid.solver.shortening import add_step, fill_gaps, shorten
 from vv.scene import Vector
 
 ZERO = (0.0, 0.0, 0.0)

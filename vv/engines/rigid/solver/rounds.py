@@ -25,10 +25,10 @@ from vv.engines.rigid.limits import (
     STIFF,
     STIFFEST,
 )
+from vv.engines.rigid.solver.augmented import fill_impulses
 from vv.engines.rigid.solver.cone import residual
 from vv.engines.rigid.solver.newton import newton_round, newton_solution
 from vv.engines.rigid.solver.problem import Problem, apply_changes, copy_rows, keep, restore
-from vv.engines.rigid.solver.projection import fill_impulses
 
 
 @called

@@ -10,9 +10,9 @@ import pytest
 
 from tests.engines.rigid.test_momentum import pile
 from vv.engines.rigid.solver.assembly import Bodies, Joints
+from vv.engines.rigid.solver.augmented import projected_impulse
 from vv.engines.rigid.solver.newton import add_stiffness, longest_arms
 from vv.engines.rigid.solver.problem import Friction
-from vv.engines.rigid.solver.projection import projected_impulse
 from vv.scene import Vector
 
 STIFF, MU = 1e3, 0.4
