@@ -119,8 +119,6 @@ def _declare(variant: str, p: Parameters) -> Trial:
     rungs: dict[Level, tuple[Knobs, ...]] = dict.fromkeys(Level, FINE if fine else RUNGS)
     if variant == "shaken":  # its path is only shown, and each step has its energy judged
         rungs |= {Level.QUICK: FINE[:1], Level.DEFAULT: FINE[:1]}
-    elif slides:
-        rungs[Level.QUICK] = FINE[1:]  # the order in dt is left to the default level
     goal = History(p["duration"], p["duration"] / 10)
     return Trial(Ladder(scene, goal, seen, rungs), quantities, unexplained)
 
