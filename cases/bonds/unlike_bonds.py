@@ -87,7 +87,7 @@ def _along(p: Parameters, goal: History, held: bool) -> Trial:
     exact, times = remembered(functools.partial(histories, v=thrown)), goal.times(None)
     late = [histories(times, _behind(thrown, free @ X, p, **law))]
     early = [exact(times * (1 + _square(row, p) / 24)), histories(times, _raised(thrown, row, p))]
-    judges, moving = _judges(p, exact(times), early, late), range(int(held), 3)
+    judges, moving = _judges(p, exact(times), early, late, AHEAD), range(int(held), 3)
     quantities = _displacements(exact, judges, moving, times)
     seen: tuple[Observable, ...] = (*map(Displacement, moving), *([Reaction(0)] * held))
     if held:
@@ -165,7 +165,7 @@ def _raised(v: Vector, row: unlike_row.Row, p: Parameters) -> Vector:
 
 
 def _judges(
-    p: Parameters, known: Vector, early: list[Vector], late: list[Vector], why: str = ""
+    p: Parameters, known: Vector, early: list[Vector], late: list[Vector], why: str
 ) -> list[Exact]:
     """The judge of each column of the histories `known` (k, q).
 
@@ -180,7 +180,7 @@ def _judges(
         return np.asarray(SPARE * over)
 
     return [
-        _judge(COARSEST * _unit(p), *both, why=why)
+        _judge(COARSEST * _unit(p), why, *both)
         for both in zip(off(early), off(early + late), strict=True)
     ]
 
@@ -203,7 +203,7 @@ def _spinning(p: Parameters, goal: History) -> Trial:
     turned = twist * max(twist * p["duration"], 1.0) / 2
     radians = FASTEST * p["duration"] / _unit(p)
     ahead = SHARE * (FASTEST * COARSEST) ** 2 / 24 * radians
-    judge = _judge(dt, ahead, turned=turned)
+    judge = _judge(dt, AHEAD, ahead, turned=turned)
     times = goal.times(None)
     quantities = tuple(
         Motion(Displacement(body), ACROSS, path(body), times, "m").component(
@@ -225,15 +225,15 @@ def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
     return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
 
 
-def _judge(dt: float, ahead: float, late: float = 0.0, turned: float = 0.0, why: str = "") -> Exact:
-    """ahead, late: errors at the coarsest step dt by the leapfrog's phase, and by late forces.
+def _judge(dt: float, why: str, ahead: float, late: float = 0.0, turned: float = 0.0) -> Exact:
+    """ahead, late: errors at the coarsest step dt of a leapfrog, as `why` says, and by late forces.
 
     turned: relative growth of shears that a step rotates to first order, or how far those are off
     that a step rotates half a step late, over the step [1/s].
     """
     exact = Tolerance(1e-11, "the answer is a sum of modes without events, known to rounding")
     second = Tolerance(
-        max(ahead, LEAST), (why or AHEAD) + TURNED,
+        max(ahead, LEAST), why + TURNED,
         dt=dt, order=2, floor=LEAST, late=turned, slack=TURNS_RIGHT if turned else "",
     )  # fmt: skip
     behind = Tolerance(max(late, LEAST), LATE, dt=dt, order=1)
